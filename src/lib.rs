@@ -1,0 +1,12 @@
+//! psdl: run, check and repair PSDL scene programs.
+//!
+//! Data flows one way, `syntax` → `trace`/`python` → `scene` → `check` → `report`, with the faces
+//! (`cli`) at the end. A module knows only the modules above it in this list. See `ARCHITECTURE.md`.
+
+pub mod check;
+pub mod cli;
+pub mod python;
+pub mod report;
+pub mod scene;
+pub mod syntax;
+pub mod trace;
