@@ -43,6 +43,8 @@ pub enum Code {
     IntegerConstant,
     /// A tunable constant that moves nothing.
     UnusedConstant,
+    /// A suppression comment that hides nothing.
+    UnusedSuppression,
 }
 
 /// How much a finding weighs: only errors and warnings make a run fail.

@@ -1,3 +1,4 @@
 //! What is wrong with a layout.
 
+pub mod codes;
 pub mod finding;
