@@ -1,7 +1,12 @@
 //! Where numbers come from: the record of the float operations of a run.
 //!
-//! A number that a literal of the program reaches carries a [`Handle`]; a number that none reaches
-//! carries [`Handle::NONE`] and costs nothing. Knows nothing of Python or of scenes.
+//! A number that a literal of the program reaches carries a [`Handle`]; a number that none reaches carries [`Handle::NONE`] and costs
+//! nothing. Each operation on such a number is a [`Node`], each decision taken on one is a [`Guard`]. Sound by default-deny: whoever
+//! does anything to a traced number that is not in [`Op`] pins its value first. Knows nothing of Python or of scenes.
+
+mod op;
+
+pub use op::Op;
 
 /// The place of a number in the record of a run; [`Handle::NONE`] for a number that no tunable literal reaches.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash, PartialOrd, Ord)]
@@ -31,5 +36,123 @@ impl Num {
     /// A number that no literal reaches.
     pub const fn plain(value: f64) -> Num {
         Num { value, handle: Handle::NONE }
+    }
+}
+
+/// One traced number: how it was made.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Node {
+    /// The value of a tunable literal, by its number in the program.
+    Literal(u32, f64),
+    /// `op a`
+    Unary(Op, Num, f64),
+    /// `a op b`
+    Binary(Op, Num, Num, f64),
+}
+
+impl Node {
+    /// The number as it was in the recorded run.
+    pub fn value(&self) -> f64 {
+        match *self {
+            Node::Literal(_, v) | Node::Unary(_, _, v) | Node::Binary(_, _, _, v) => v,
+        }
+    }
+}
+
+/// A decision of the recorded run that rests on traced numbers. Replay holds only while all guards do.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Guard {
+    /// The number is this one, to the bit.
+    Equals(Num),
+    /// `a` compares with `b` in this way (`None`: unordered).
+    Order(Num, Num, Option<std::cmp::Ordering>),
+}
+
+/// The record of a run. Off unless asked for: then literals carry no handles and nothing is ever recorded.
+#[derive(Clone, Debug, Default)]
+pub struct Trace {
+    nodes: Vec<Node>,
+    guards: Vec<Guard>,
+    on: bool,
+    limit: usize,
+    full: bool,
+}
+
+impl Trace {
+    /// A trace that records up to `limit` nodes and guards; past that, [`is_full`](Trace::is_full) says that it is of no use.
+    pub fn recording(limit: usize) -> Trace {
+        Trace { on: true, limit, ..Trace::default() }
+    }
+
+    /// Whether anything is recorded.
+    pub fn is_on(&self) -> bool {
+        self.on
+    }
+
+    /// Whether the record had to be cut off.
+    pub fn is_full(&self) -> bool {
+        self.full
+    }
+
+    /// All traced numbers; handle `n` stands at `n - 1`.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// All decisions.
+    pub fn guards(&self) -> &[Guard] {
+        &self.guards
+    }
+
+    /// The handle of a tunable literal.
+    pub fn literal(&mut self, id: u32, value: f64) -> Handle {
+        if self.on { self.push(Node::Literal(id, value)) } else { Handle::NONE }
+    }
+
+    /// Records `op a = result`.
+    #[inline]
+    pub fn unary(&mut self, op: Op, a: Num, result: f64) -> Handle {
+        if a.handle.is_none() { Handle::NONE } else { self.push(Node::Unary(op, a, result)) }
+    }
+
+    /// Records `a op b = result`.
+    #[inline]
+    pub fn binary(&mut self, op: Op, a: Num, b: Num, result: f64) -> Handle {
+        if a.handle.0 | b.handle.0 == 0 { Handle::NONE } else { self.push(Node::Binary(op, a, b, result)) }
+    }
+
+    /// Records that the run depends on this very value.
+    #[inline]
+    pub fn pin(&mut self, a: Num) {
+        if !a.handle.is_none() {
+            self.guard(Guard::Equals(a));
+        }
+    }
+
+    /// Records that the run depends on how the two compare.
+    #[inline]
+    pub fn order(&mut self, a: Num, b: Num) {
+        if a.handle.0 | b.handle.0 != 0 {
+            self.guard(Guard::Order(a, b, a.value.partial_cmp(&b.value)));
+        }
+    }
+
+    #[cold]
+    fn push(&mut self, node: Node) -> Handle {
+        if self.nodes.len() >= self.limit {
+            self.full = true;
+            return Handle::NONE;
+        }
+        self.nodes.push(node);
+        Handle(self.nodes.len() as u32)
+    }
+
+    #[cold]
+    fn guard(&mut self, guard: Guard) {
+        if self.guards.len() >= self.limit {
+            self.full = true;
+        } else {
+            self.guards.push(guard);
+        }
     }
 }

@@ -1,0 +1,4 @@
+//! Modules that programs may import.
+
+pub mod itertools;
+pub mod random;

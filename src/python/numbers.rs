@@ -1,0 +1,1 @@
+//! Arithmetic of ints, floats and complex numbers, traced.

@@ -1,0 +1,1 @@
+//! Text of values: number formatting and parsing, format specs, `%`, `str.format`, reprs of strings.

@@ -1,0 +1,16 @@
+//! The builtin types: their methods.
+
+pub mod bytes;
+pub mod complex;
+pub mod dict;
+pub mod exception;
+pub mod float;
+pub mod function;
+pub mod int;
+pub mod iterator;
+pub mod list;
+pub mod object;
+pub mod range;
+pub mod set;
+pub mod str;
+pub mod tuple;
