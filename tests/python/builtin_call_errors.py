@@ -1,0 +1,21 @@
+# Every TypeError message for a bad call of a builtin.
+count = 0
+def t(f):
+    global count
+    count += 1
+    try:
+        print(count, f())
+    except Exception as e:
+        print(count, type(e).__name__, e)
+
+for call in (
+    lambda: len(), lambda: len(1), lambda: len([], []), lambda: len(x=[]), lambda: abs(), lambda: abs("a"), lambda: abs(1, 2), lambda: ord("ab"), lambda: ord(1), lambda: ord(""), lambda: chr("a"), lambda: chr(), lambda: isinstance(1), lambda: isinstance(1, 2), lambda: issubclass(1, int), lambda: issubclass(int, 1),
+    lambda: sum(), lambda: sum(5), lambda: sum(["a"]), lambda: sum(["a"], ""), lambda: sum([b"a"], b""), lambda: sum([[1]], []), lambda: sum([1], start=5), lambda: sum([1], 2, 3), lambda: sum([None]), lambda: min(), lambda: min(5), lambda: max(1, "a"), lambda: max([], key=5, foo=1), lambda: min([1], key=5), lambda: max(1, 2, default=3),
+    lambda: sorted(), lambda: sorted(5), lambda: sorted([1, "a"]), lambda: sorted([1], lambda x: x), lambda: sorted([1], foo=2), lambda: sorted([1], key=5), lambda: [].sort(lambda x: x), lambda: [3, 1].sort(reverse="a"),
+    lambda: range(), lambda: range("a"), lambda: range(1, 2, 3, 4), lambda: range(stop=3), lambda: enumerate(), lambda: enumerate(5), lambda: enumerate([], start="a"), lambda: zip(5), lambda: zip([], 5), lambda: zip([], strict=1, foo=2), lambda: map(), lambda: map(len), lambda: map(len, 5), lambda: filter(None), lambda: filter(None, 5), lambda: iter(5), lambda: iter(5, 6), lambda: next(5), lambda: next([]), lambda: next(), lambda: reversed(5), lambda: reversed({1}), lambda: list(map(5, [1])), lambda: hash([]), lambda: hash({}), lambda: hash(set()), lambda: hash(([],)), lambda: {[]: 1}, lambda: {1, []}, lambda: {}[[]],
+    lambda: [].append(), lambda: [].append(1, 2), lambda: [].append(x=1), lambda: [].extend(5), lambda: [].insert(1), lambda: [].insert("a", 1), lambda: [].pop("a"), lambda: [].pop(1, 2), lambda: [].index(), lambda: [].count(), lambda: list(5), lambda: list(1, 2), lambda: list(x=1), lambda: tuple(5), lambda: tuple(1, 2), lambda: set(5), lambda: set(1, 2), lambda: dict(5), lambda: dict([1]), lambda: dict(["abc"]) , lambda: dict(1, 2), lambda: dict([(1, 2), 3]),
+    lambda: "a".join(5), lambda: "a".join([1]), lambda: "a".join(["x", 2]), lambda: "a".split(5), lambda: "a".replace("a"), lambda: "a".replace(1, 2), lambda: "abc".startswith(5), lambda: "abc".endswith([1]), lambda: "a".strip(5), lambda: "a".find(5), lambda: "a".upper(1), lambda: "a".center("b"), lambda: "a".center(5, "bc"), lambda: "a".ljust(5, 3), lambda: "a".zfill("x"), lambda: "a" in 5, lambda: 5 in "abc", lambda: 1 in None, lambda: "a".encode(5), lambda: str(b"a", 5), lambda: str(1, 2, 3, 4), lambda: "abc".index(), lambda: "a".count(), lambda: "a".translate(5), lambda: str.maketrans(5), lambda: str.join(), lambda: str.upper(5), lambda: list.append(5, 1), lambda: int.bit_length("a"), lambda: dict.get({}),
+    lambda: {}.get(), lambda: {}.get([]), lambda: {}.pop(), lambda: {}.update(5), lambda: {}.update([1]), lambda: {}.setdefault(), lambda: {}.update(1, 2), lambda: dict.fromkeys(), lambda: dict.fromkeys(5), lambda: {1}.add(), lambda: {1}.add([]), lambda: {1}.union(5), lambda: {1} | [1], lambda: {1} - (1,), lambda: {1} < [1], lambda: {1}.update(5), lambda: {1}.issubset(5), lambda: frozenset([[]]), lambda: {} | [], lambda: {1: 2} < {1: 3}, lambda: {1} + {2},
+    lambda: int("1", base="a"), lambda: int(x="1"), lambda: int("1", 2, 3), lambda: float("1", 2), lambda: bool(1, 2), lambda: bool(x=1), lambda: divmod(1), lambda: divmod("a", 1), lambda: pow(2), lambda: pow("a", 2), lambda: round(), lambda: print(sep=5), lambda: print(end=5), lambda: print(foo=1), lambda: getattr(1), lambda: getattr(1, 2), lambda: setattr(1, "a"), lambda: hasattr(1, 2), lambda: callable(), lambda: type(1, 2), lambda: type(), lambda: type("a", (), 5), lambda: type("a", [], {}), lambda: super(5, 6), lambda: property(1, 2, 3, 4, 5), lambda: repr(), lambda: ascii(), lambda: any(5), lambda: all(5), lambda: any(), lambda: slice(1, 2, 3, 4), lambda: bytes("a"), lambda: bytes(["a"]), lambda: bytes(1.5), lambda: complex(1, 2, 3), lambda: id(), lambda: vars(5), lambda: bin("a"), lambda: chr(1.5),
+):
+    t(call)

@@ -1,0 +1,5 @@
+try:
+    int("twelve")
+except ValueError as e:
+    print("handling", e)
+    raise RuntimeError("could not read") from e

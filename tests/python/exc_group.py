@@ -1,0 +1,2 @@
+print("one")
+raise ExceptionGroup("several", [ValueError("x"), TypeError("y")])

@@ -1,0 +1,4 @@
+class A:
+    print("body")
+    x = 1
+    y = [x for _ in range(2)]

@@ -1,0 +1,46 @@
+def t(f):
+    try:
+        print(repr(f()))
+    except Exception as e:
+        print(type(e).__name__, e, sep=": ")
+
+s = "Hello, World"
+print(s.upper(), s.lower(), s.swapcase(), s.title(), s.capitalize(), s.casefold(), "they're bill's".title(), "ǆ".title(), "ß".upper(), "ß".casefold(), "İ".lower().encode(), "ΑΣ".lower(), "ŉ".upper(), "ﬁ".upper(), "hELLO wORLD 3rd".capitalize(), "3rd x-y".title())
+print(s.center(20, "*"), s.ljust(15) + "|", s.rjust(15, "-"), s.center(5), "ab".center(5), "abc".center(6) + "|", "a".center(4) + "|", "42".zfill(5), "-42".zfill(5), "+4".zfill(4), "".zfill(3), "--1".zfill(6), "abc".zfill(2))
+print(s.find("o"), s.find("o", 5), s.find("z"), s.find(""), s.find("", 20), s.find("o", -4), s.rfind("o"), s.rfind(""), s.rfind("o", 0, 6), s.index("W"), s.rindex("l"), s.count("l"), s.count(""), s.count("l", 4), s.count("ll"), "aaaa".count("aa"), "".count(""), "".find(""), "abc".find("", 3), "abc".find("", 4), "abc".count("", 1, 2), "abc".rfind("", 1, 2))
+t(lambda: s.index("zz"))
+t(lambda: s.rindex("zz"))
+print(s.startswith("He"), s.startswith(("x", "H")), s.startswith("l", 2), s.endswith("ld"), s.endswith(("a", "d")), s.endswith("o", 0, 5), s.startswith(""), s.startswith("", 13), s.startswith(()), "abc".endswith("", 3), "abc".startswith("b", 1, 2), "abc".startswith("bc", 1, 2))
+print("  x y ".strip() + "|", "  x".lstrip(), "x  ".rstrip() + "|", "xxyxx".strip("x"), "abcba".strip("ab"), "abcba".lstrip("ab"), "abcba".rstrip("ba"), "\t\n x\u2003".strip(), "x".strip("x"), "x".strip(""), "\u00a0a\u00a0".strip(), "\x1c\x1fa".strip())
+print("a,b,,c".split(","), " a  b ".split(), " a  b ".split(" "), "a,b,c".split(",", 1), "a,b,c".rsplit(",", 1), "".split(), "".split(","), "abc".split("abc"), "a--b--c".split("--"), "a b c".split(None, 1), " a b c ".split(None, 1), " a b c ".rsplit(None, 1), "a b".split(maxsplit=0), "  a b ".split(None, 0), "aXbXc".rsplit("X"), "a,b".split(",", -1), "\x1ca\u2028b".split(), "a\u00a0b".split(), "x,y,".split(","))
+t(lambda: "a".split(""))
+t(lambda: "a".rsplit("", 1))
+print("a\nb\r\nc\rd\x0be\x0cf\x1cg\x85h\u2028i\n".splitlines(), "a\nb\n".splitlines(True), "".splitlines(), "\n".splitlines(), "a\n\nb".splitlines(), "a\r\nb".splitlines(keepends=True))
+print("a-b-c".partition("-"), "a-b-c".rpartition("-"), "abc".partition("-"), "abc".rpartition("-"), "-".partition("-"))
+t(lambda: "a".partition(""))
+print("a.b.a".replace("a", "x"), "aaa".replace("a", "b", 2), "abc".replace("", "-"), "".replace("", "x"), "abc".replace("", "-", 2), "aaa".replace("aa", "b"), "abc".replace("b", ""), "a".replace("a", "a", 0), "abab".replace("ab", "abab"))
+print("-".join(["a", "b"]), "".join([]), "x".join("abc"), ", ".join({"k": 1, "l": 2}), "-".join(c for c in "gen"), "".join(("a",)))
+print("abc".removeprefix("ab"), "abc".removesuffix("bc"), "abc".removeprefix("x"), "abc".removesuffix(""), "abcabc".removesuffix("abc"), "abc".removeprefix("abcd"))
+print("a\tb\tc".expandtabs(), "a\tb".expandtabs(4), "\t".expandtabs(0) + "|", "ab\n\tc".expandtabs(3), "abcdefgh\tx".expandtabs(), "a\tb".expandtabs(-1))
+for name in ("isalnum", "isalpha", "isascii", "isdecimal", "isdigit", "isidentifier", "islower", "isnumeric", "isprintable", "isspace", "istitle", "isupper"):
+    print(name, [int(getattr(x, name)()) for x in ("", "abc", "ABC", "Abc", "a1", "1", " ", "\n", "é", "²", "½", "५", "a b", "_x", "1a", "class", "Ab Cd", "A1", "\x00", "ß", "中", "Ⅷ", "\u00a0", "ʰ", "A_b", "'S", "\ud800", "🙂", "É")])
+print("abc".translate({97: "X", 98: None, 99: 100}), "abc".translate(str.maketrans("ab", "xy")), "abc".translate(str.maketrans("ab", "xy", "c")), "abc".translate(str.maketrans({"a": "1", 98: "22"})), str.maketrans("a", "b"), str.maketrans("a", "b", "z"))
+t(lambda: str.maketrans("ab", "c"))
+t(lambda: str.maketrans({"ab": 1}))
+t(lambda: str.maketrans({1.5: 1}))
+t(lambda: "a".translate({97: 1114112}))
+t(lambda: "a".translate({97: 1.5}))
+print("héllo".encode(), "héllo".encode("latin-1"), "héllo".encode("ascii", "ignore"), "héllo".encode("ascii", "replace"), "héllo".encode("ascii", "xmlcharrefreplace"), "héllo".encode("ascii", "backslashreplace"), "a€".encode("utf-16-le"), "a".encode("utf-8"))
+t(lambda: "hé".encode("ascii"))
+t(lambda: "€".encode("latin-1"))
+t(lambda: "éé".encode("ascii"))
+print("abc" < "abd", "abc" < "ab", "" < "a", "Z" < "a", "é" > "z", "a" * 3, 3 * "ab", "a" * 0, "a" * -1, "ab" + "cd", "b" in "abc", "" in "", "bc" not in "abc", "abc"[1], "abc"[-1], len("héllo🙂"), "🙂a"[1], min("hello"), max("hello"), sorted("hello"), list("héy"), "abc" == "abc", "abc" != "ABC", "abc" is "abc")
+print(repr("it's"), repr('say "hi"'), repr("it's \"both\""), repr("\\ \n \t \r \x00 \x7f \x80 \xa0 \xad é ☃ 🙂 \u200b \ud800 \u0378 \U000e0001"), ascii("é☃🙂'"), str("x"), str(), str(b"ab", "ascii"), str(b"ab"), str(5), str(None), str([1, "a"]))
+print("\x41\u0042\U00000043\103\7\0".encode(), "\N{LATIN SMALL LETTER E WITH ACUTE}", "a\
+b", r"\n\x", "\'\"\\", "\a\b\f\v".encode(), """tri
+ple""", 'a' 'b' "c", u"uni", "\q" if False else "-")
+print(ord("a"), ord("é"), ord("🙂"), chr(97), chr(8364), chr(0x1F642), [c for c in "a🙂b"], "a🙂b"[::-1])
+print("%s" % "x", "abc".__len__(), "abc".__contains__("b"), "abc".__getitem__(0), "abc".__add__("d"), "abc".__mul__(2), "abc".__eq__(5), "abc".__lt__("b"), "abc".__hash__() == hash("abc"), "a".__str__(), "a".__repr__(), "abc".__iter__().__next__(), hash("") == 0, str.upper("q"), str.join("-", "ab"), "Aa".isupper(), type("a".__iter__()).__name__)
+t(lambda: "abc".index("c", 0, 2))
+t(lambda: "a" < 1)
+t(lambda: "a" + None)
