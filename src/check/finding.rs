@@ -2,6 +2,8 @@
 
 use ruff_text_size::TextRange;
 
+pub use crate::scene::Source;
+
 /// What a finding is about. The name is what people select, ignore and configure.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
 pub enum Code {
@@ -56,15 +58,6 @@ pub enum Severity {
     Warning,
     /// Worth knowing; never makes a run fail.
     Info,
-}
-
-/// Which text a range belongs to.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
-pub enum Source {
-    /// The program.
-    Program,
-    /// Its sidecar `NAME.template.json`.
-    Template,
 }
 
 /// A place in a text, in bytes.

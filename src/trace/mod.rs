@@ -8,6 +8,10 @@ mod op;
 
 pub use op::Op;
 
+mod arith;
+
+pub use arith::{Arith, Guard, Plain};
+
 /// The place of a number in the record of a run; [`Handle::NONE`] for a number that no tunable literal reaches.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash, PartialOrd, Ord)]
 pub struct Handle(pub u32);
