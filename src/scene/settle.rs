@@ -3,7 +3,7 @@
 //! The decision is one function of one value, [`decide`] of a [`Question`], so that a replay can ask it again with
 //! other numbers: a settling is one guard on its outcome.
 
-use crate::trace::{Guard, Num};
+use crate::trace::{Decision, Num};
 
 use super::terms::{Anchor, Axis, Cardinal};
 
@@ -83,7 +83,7 @@ pub(super) struct Settled {
     pub(super) outcome: Outcome,
 }
 
-impl Guard for Settled {
+impl Decision for Settled {
     fn holds(&self, now: &dyn Fn(Num) -> f64) -> bool {
         decide(&self.question.map(now)) == self.outcome
     }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use indexmap::IndexSet;
 use smallvec::SmallVec;
 
-use crate::trace::{Arith, Guard, Num};
+use crate::trace::{Arith, Decision, Num};
 
 use super::error::SceneError;
 use super::frame::Frame;
@@ -172,7 +172,7 @@ struct Direction {
     turn: Cardinal,
 }
 
-impl Guard for Direction {
+impl Decision for Direction {
     fn holds(&self, now: &dyn Fn(Num) -> f64) -> bool {
         Cardinal::from_number(now(self.number)) == Some(self.turn)
     }
@@ -502,7 +502,7 @@ impl World {
         let outcome = decide(&question.map(|num| num.value));
         let mut inputs: SmallVec<[Num; 8]> = SmallVec::new();
         question.map(|num| inputs.push(num));
-        rec.guard(&inputs, &mut || Box::new(Settled { question, outcome }));
+        rec.decided(&inputs, &mut || Box::new(Settled { question, outcome }));
         let thing = &mut self.things[id.index()];
         thing.outcome = Some(outcome);
         self.settled[thing.category].insert(id.0);
@@ -538,6 +538,6 @@ fn direction<R: Arith + ?Sized>(rec: &mut R, number: Num) -> Result<Cardinal, Sc
             SceneError { exception: "OverflowError", message: "cannot convert float infinity to integer".into() }
         }
     })?;
-    rec.guard(&[number], &mut || Box::new(Direction { number, turn }));
+    rec.decided(&[number], &mut || Box::new(Direction { number, turn }));
     Ok(turn)
 }

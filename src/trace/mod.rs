@@ -4,13 +4,13 @@
 //! nothing. Each operation on such a number is a [`Node`], each decision taken on one is a [`Guard`]. Sound by default-deny: whoever
 //! does anything to a traced number that is not in [`Op`] pins its value first. Knows nothing of Python or of scenes.
 
+mod arith;
 mod op;
 
+use std::sync::Arc;
+
+pub use arith::{Arith, Decision, Plain};
 pub use op::Op;
-
-mod arith;
-
-pub use arith::{Arith, Guard, Plain};
 
 /// The place of a number in the record of a run; [`Handle::NONE`] for a number that no tunable literal reaches.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash, PartialOrd, Ord)]
@@ -77,6 +77,8 @@ pub enum Guard {
 pub struct Trace {
     nodes: Vec<Node>,
     guards: Vec<Guard>,
+    decisions: Vec<Arc<dyn Decision>>,
+    stone: Vec<Handle>,
     on: bool,
     limit: usize,
     full: bool,
@@ -106,6 +108,16 @@ impl Trace {
     /// All decisions.
     pub fn guards(&self) -> &[Guard] {
         &self.guards
+    }
+
+    /// All decisions that are more than a comparison: replay holds only while they all do.
+    pub fn decisions(&self) -> &[Arc<dyn Decision>] {
+        &self.decisions
+    }
+
+    /// The numbers that became sizes: what reaches them must not be tuned.
+    pub fn stone(&self) -> &[Handle] {
+        &self.stone
     }
 
     /// The handle of a tunable literal.
@@ -151,11 +163,15 @@ impl Trace {
         Handle(self.nodes.len() as u32)
     }
 
+    /// Whether a list of so many entries may grow; past the limit the record is of no use.
+    fn has_room(&mut self, entries: usize) -> bool {
+        self.full |= entries >= self.limit;
+        entries < self.limit
+    }
+
     #[cold]
     fn guard(&mut self, guard: Guard) {
-        if self.guards.len() >= self.limit {
-            self.full = true;
-        } else {
+        if self.has_room(self.guards.len()) {
             self.guards.push(guard);
         }
     }
