@@ -85,9 +85,9 @@ pub enum Op {
     /// a → not a
     Not,
     Compare(CompareOp),
-    /// a b → a is b (or is not)
+    /// a b → a is b; `true`: is not
     Is(bool),
-    /// a b → a in b (or not in)
+    /// a b → a in b; `true`: not in
     In(bool),
     Jump(u32),
     /// A jump to an earlier instruction: where steps are counted.
@@ -96,6 +96,7 @@ pub enum Op {
     PopJumpIfTrue(u32),
     JumpIfFalseOrPop(u32),
     JumpIfTrueOrPop(u32),
+    /// a →; jumps where it is None. (It is popped either way, as with the other `Pop…` jumps.)
     PopJumpIfNone(u32),
     /// iterable → iterator
     GetIter,
@@ -111,17 +112,19 @@ pub enum Op {
     BuildString(u32),
     /// 2 or 3 parts
     BuildSlice(u8),
-    /// item →, appended to the list `n` below
+    /// item →, appended to the list that then stands `n` below the top (0 is the top)
     ListAppend(u16),
+    /// item →, likewise
     SetAdd(u16),
-    /// key value →
+    /// key value →, likewise
     DictAdd(u16),
     /// list iterable → list
     ListExtend,
     SetUpdate,
     /// dict mapping → dict
     DictUpdate,
-    /// callee … dict mapping → callee … dict; a repeated key is a TypeError that names the callee `n` below
+    /// callee … dict mapping → callee … dict; a repeated key is a TypeError that names the callee, which then stands `n` below the
+    /// top (0 is the dict)
     DictMerge(u16),
     ListToTuple,
     /// value [spec] → text; `conversion` is 0 or `s` `r` `a`
@@ -135,26 +138,31 @@ pub enum Op {
         before: u16,
         after: u16,
     },
-    /// [defaults tuple] [keyword defaults dict] [annotations dict] [cells tuple] → function
+    /// [defaults tuple] [keyword defaults dict] [annotations dict] [cells tuple] → function.
+    /// `child` is a place in [`Code::children`]; `flags` says which of the four are there: 1, 2, 4, 8. The cells are in the order of the
+    /// child's `frees`.
     MakeFunction {
         child: u32,
         flags: u8,
     },
     /// callee a b … → result
     Call(u32),
-    /// callee a b … → result; the names of the last arguments are a constant tuple
+    /// callee a b … → result; `count` arguments in all, of which the last ones have names: the constant `names`, a tuple
     CallKw {
         count: u16,
         names: u32,
     },
-    /// callee args [kwargs] → result
+    /// callee args [kwargs] → result; `true`: with kwargs, a fresh dict. `args` is a tuple or, for a lone `*x`, whatever `x` is: the
+    /// machine iterates over it (TypeError: `f() argument after * must be an iterable, not int`)
     CallEx(bool),
-    /// function self-or-Undefined a b … → result
+    /// function self-or-Undefined a b … → result; the operand counts `a b …`
     CallMethod(u32),
+    /// The same with names, as in `CallKw`
     CallMethodKw {
         count: u16,
         names: u32,
     },
+    /// value →: leaves the frame, whose other operands and handled exceptions go with it
     Return,
     /// value → sent value
     Yield,
@@ -166,19 +174,21 @@ pub enum Op {
     Reraise,
     /// exception → exception, which is now the one being handled
     PushExc,
-    /// The exception that was being handled is done with.
+    /// The exception that was being handled is done with; operands stay.
     PopExc,
     /// exception type → exception bool
     ExcMatch,
-    /// group type → rest-or-None matched-or-None
+    /// group type → rest-or-None matched-or-None. `group` is a group, another exception (then `matched` is a group around it), or None
+    /// (then both are None)
     ExcGroupMatch,
-    /// original list-of-raised-and-rests → exception-to-raise-or-None
+    /// original list → exception-to-raise-or-None. The list has what the clauses raised, in order, then the rest, which may be None
     ExcGroupFinish,
     /// manager → exit result-of-enter
     BeforeWith,
     /// exit exception → exit exception bool: what the manager's exit said
     WithExcept,
-    /// → module
+    /// → module. `name` may have dots: with `from` the result is the module that it names, without it the outermost package, for
+    /// `import a.b`. Leading dots: a relative import, which is an ImportError
     Import {
         name: u32,
         from: bool,
@@ -193,18 +203,19 @@ pub enum Op {
     AssertionError,
     /// subject → subject bool
     MatchSequence,
+    /// subject → subject bool
     MatchMapping,
     /// subject → subject length
     GetLen,
     /// subject keys → subject keys values-or-None
     MatchKeys,
-    /// subject class names → tuple-or-None
+    /// subject class names → tuple-or-None; the operand counts positional patterns, `names` is a tuple of the keywords that follow them
     MatchClass(u32),
     /// dict keys → dict copied without the keys
     MatchRest,
     /// A facing is on top: another one where the run says so.
     Direction(DirectionId),
-    /// A statement of the module begins.
+    /// A statement of the module begins; the operand is a place in [`Program::statements`].
     Statement(u32),
     /// a b → a op b with the operands named: locals and constants without a detour over the stack
     BinaryFastFast {
@@ -338,7 +349,8 @@ pub struct Code {
     pub generator: bool,
     /// Parameters.
     pub params: Params,
-    /// Names of the locals, parameters first. Slots after them: cells (`cells`), then captured variables (`frees`), then operands.
+    /// Names of the locals, parameters first; a name that begins with a dot is the compiler's own (any kind of code may have some).
+    /// Slots after them: cells (`cells`), then captured variables (`frees`), then operands.
     pub locals: Vec<Box<str>>,
     /// Names of the variables that inner functions capture, with the local they start from where that is a parameter.
     pub cells: Vec<(Box<str>, Option<u16>)>,
@@ -356,7 +368,7 @@ pub struct Code {
     pub children: Vec<u32>,
     /// Exception table; inner regions come first.
     pub handlers: Vec<Handler>,
-    /// `for` loops; inner ones come first.
+    /// `for` loops; inner ones come first. One loop may have several entries, for separate pieces of its code.
     pub loops: Vec<Loop>,
     /// First instruction and range of each statement, ascending by instruction.
     pub statements: Vec<(u32, TextRange)>,
