@@ -25,6 +25,14 @@ pub struct Table {
     entries: Vec<Entry>,
     index: HashTable<u32>,
     live: usize,
+    /// Everything before this position was removed.
+    first: usize,
+}
+
+/// Spreads the bits of a hash: those of small ints differ in the lowest only.
+#[inline]
+fn spread(hash: u64) -> u64 {
+    hash.wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(26)
 }
 
 impl Table {
@@ -50,7 +58,9 @@ impl Table {
     }
 
     /// The first live entry at or after a position, with its position.
-    pub fn next_from(&self, mut position: usize) -> Option<(usize, Entry)> {
+    #[inline]
+    pub fn next_from(&self, position: usize) -> Option<(usize, Entry)> {
+        let mut position = position.max(self.first);
         while let Some(entry) = self.entries.get(position) {
             if !entry.key.is_undefined() {
                 return Some((position, *entry));
@@ -78,7 +88,7 @@ impl Table {
         }
         let entries = &self.entries;
         self.index
-            .find(hash, |&i| {
+            .find(spread(hash), |&i| {
                 let e = &entries[i as usize];
                 e.hash == hash && same(e.key)
             })
@@ -87,7 +97,13 @@ impl Table {
 
     /// The positions of all entries of this hash.
     pub fn candidates(&self, hash: u64) -> Vec<usize> {
-        (0..self.entries.len()).filter(|&p| self.entries[p].hash == hash && !self.entries[p].key.is_undefined()).collect()
+        let of_hash = |&p: &usize| self.entries[p].hash == hash && !self.entries[p].key.is_undefined();
+        if self.index.is_empty() {
+            return (0..self.entries.len()).filter(of_hash).collect();
+        }
+        let mut found: Vec<usize> = self.index.iter_hash(spread(hash)).map(|&i| i as usize).filter(of_hash).collect();
+        found.sort_unstable();
+        found
     }
 
     /// Adds a key that is not there yet.
@@ -100,7 +116,7 @@ impl Table {
         self.live += 1;
         if !self.index.is_empty() {
             let entries = &self.entries;
-            self.index.insert_unique(hash, position, |&i| entries[i as usize].hash);
+            self.index.insert_unique(spread(hash), position, |&i| spread(entries[i as usize].hash));
         } else if self.entries.len() > LINEAR {
             self.reindex();
         }
@@ -115,7 +131,7 @@ impl Table {
     pub fn remove(&mut self, position: usize) -> Entry {
         let entry = self.entries[position];
         if !self.index.is_empty()
-            && let Ok(found) = self.index.find_entry(entry.hash, |&i| i as usize == position)
+            && let Ok(found) = self.index.find_entry(spread(entry.hash), |&i| i as usize == position)
         {
             found.remove();
         }
@@ -124,8 +140,14 @@ impl Table {
         self.live -= 1;
         if self.live == 0 {
             self.clear();
-        } else if position + 1 == self.entries.len() {
-            self.entries.pop();
+        } else if position == self.first {
+            while self.entries[self.first].key.is_undefined() {
+                self.first += 1;
+            }
+        } else {
+            while self.entries.last().is_some_and(|e| e.key.is_undefined()) {
+                self.entries.pop();
+            }
         }
         entry
     }
@@ -135,6 +157,7 @@ impl Table {
         self.entries.clear();
         self.index.clear();
         self.live = 0;
+        self.first = 0;
     }
 
     /// Roughly how many bytes it takes.
@@ -144,6 +167,7 @@ impl Table {
 
     fn compact(&mut self) {
         self.entries.retain(|e| !e.key.is_undefined());
+        self.first = 0;
         if !self.index.is_empty() {
             self.reindex();
         }
@@ -154,7 +178,7 @@ impl Table {
         self.index.reserve(self.entries.len() * 2, |_| 0);
         let entries = &self.entries;
         for (i, e) in entries.iter().enumerate().filter(|(_, e)| !e.key.is_undefined()) {
-            self.index.insert_unique(e.hash, i as u32, |&i| entries[i as usize].hash);
+            self.index.insert_unique(spread(e.hash), i as u32, |&i| spread(entries[i as usize].hash));
         }
     }
 }

@@ -34,7 +34,6 @@ impl Vm<'_> {
         eq(a: Value, b: Value) -> R<bool>;
         compare(op: CompareOp, a: Value, b: Value) -> R<Value>;
         less(a: Value, b: Value) -> R<bool>;
-        hash(value: Value) -> R<i64>;
         contains(container: Value, item: Value) -> R<bool>;
         binary(op: BinaryOp, a: Value, b: Value) -> R<Value>;
         inplace(op: BinaryOp, a: Value, b: Value) -> R<Value>;
@@ -50,12 +49,6 @@ impl Vm<'_> {
         str(value: Value) -> R<String>;
         ascii(value: Value) -> R<String>;
         format(value: Value, spec: &str) -> R<String>;
-        dict_get(dict: Ref<Dict>, key: Value) -> R<Option<Value>>;
-        dict_set(dict: Ref<Dict>, key: Value, value: Value) -> R<()>;
-        dict_remove(dict: Ref<Dict>, key: Value) -> R<Option<Value>>;
-        set_has(set: Ref<Set>, key: Value) -> R<bool>;
-        set_add(set: Ref<Set>, key: Value) -> R<()>;
-        set_remove(set: Ref<Set>, key: Value) -> R<bool>;
         charge(steps: u64) -> R<()>;
         reserve(bytes: usize) -> R<()>;
         write_output(text: &str) -> R<()>;
