@@ -1,0 +1,561 @@
+//! One walk over the tree: opens the scopes, notes what each name does in them, and reports what
+//! CPython's compiler would refuse. `layout` then decides what each name means.
+
+use ruff_python_ast::name::Name;
+use ruff_python_ast::visitor::{Visitor, walk_expr, walk_pattern, walk_stmt};
+use ruff_python_ast::{self as ast, Expr, ExprContext, Identifier, Pattern, Stmt};
+use ruff_python_parser::semantic_errors::SemanticSyntaxChecker;
+use ruff_text_size::{Ranged, TextRange, TextSize};
+use rustc_hash::FxHashMap;
+
+use super::checks::Checks;
+use super::error::SyntaxError;
+use super::scope::{NameId, Occurrence, Role, Scope, ScopeId, ScopeKind, Scopes, mangled};
+
+mod layout;
+
+/// More decimal digits than CPython reads into an integer.
+const MAX_INT_DIGITS: usize = 4300;
+/// More type parameters than anyone writes; the checker compares each with each.
+const MAX_TYPE_PARAMS: usize = 255;
+
+/// What a scope does with a name.
+#[derive(Clone, Copy, PartialEq, Eq, Default)]
+struct Uses(u8);
+
+impl Uses {
+    const PARAMETER: Uses = Uses(1);
+    const BOUND: Uses = Uses(2);
+    const READ: Uses = Uses(4);
+    const GLOBAL: Uses = Uses(8);
+    const NONLOCAL: Uses = Uses(16);
+    const ANNOTATED: Uses = Uses(32);
+    /// Only because `super` was mentioned.
+    const IMPLICIT: Uses = Uses(64);
+
+    fn has(self, other: Uses) -> bool {
+        self.0 & other.0 != 0
+    }
+    fn add(&mut self, other: Uses) {
+        self.0 |= other.0;
+    }
+    /// The scope itself holds the variable.
+    fn is_own(self) -> bool {
+        (self.has(Uses::PARAMETER) || self.has(Uses::BOUND)) && !self.has(Uses::GLOBAL) && !self.has(Uses::NONLOCAL)
+    }
+}
+
+/// A name in a scope.
+struct Entry {
+    scope: ScopeId,
+    name: NameId,
+    uses: Uses,
+    /// Where it was declared `nonlocal`.
+    declared: Option<TextRange>,
+}
+
+struct Resolver<'a> {
+    scopes: Scopes,
+    entries: Vec<Entry>,
+    entry_of: FxHashMap<(ScopeId, NameId), u32>,
+    current: ScopeId,
+    checker: SemanticSyntaxChecker,
+    checks: Checks<'a>,
+}
+
+/// Resolves every name of the statements, and reports what the compiler would refuse.
+pub(super) fn resolve(body: &[Stmt], range: TextRange, source: &str) -> (Scopes, Vec<SyntaxError>) {
+    let mut resolver = Resolver {
+        scopes: Scopes::default(),
+        entries: Vec::with_capacity(64),
+        entry_of: FxHashMap::default(),
+        current: ScopeId::MODULE,
+        checker: SemanticSyntaxChecker::new(),
+        checks: Checks::new(source),
+    };
+    resolver.push_scope(ScopeKind::Module, range, Name::new_static("<module>"), None);
+    resolver.visit_body(body);
+    let errors = resolver.lay_out();
+    (resolver.scopes, [resolver.checks.errors.into_inner(), errors].concat())
+}
+
+/// What [`Resolver::open`] changed, to be handed to [`Resolver::close`].
+struct Outer {
+    scope: ScopeId,
+    kind: ScopeKind,
+    in_loop: bool,
+    in_class_body: bool,
+}
+
+impl<'a> Resolver<'a> {
+    fn push_scope(&mut self, kind: ScopeKind, range: TextRange, name: Name, parent: Option<ScopeId>) -> ScopeId {
+        let id = ScopeId(u32::try_from(self.scopes.scopes.len()).unwrap_or(u32::MAX));
+        let private = match kind {
+            ScopeKind::Class => Some(name.trim_start_matches('_')).filter(|class| !class.is_empty()).map(Name::new),
+            _ => parent.and_then(|parent| self.scopes.get(parent).private.clone()),
+        };
+        self.scopes.scopes.push(Scope {
+            kind,
+            parent,
+            range,
+            name,
+            parameter_count: 0,
+            locals: Vec::new(),
+            cells: Vec::new(),
+            frees: Vec::new(),
+            is_generator: kind == ScopeKind::Generator,
+            private,
+        });
+        id
+    }
+
+    fn open(&mut self, kind: ScopeKind, range: TextRange, name: Name) -> Outer {
+        let outer =
+            Outer { scope: self.current, kind: self.checks.kind, in_loop: self.checks.in_loop, in_class_body: self.checks.in_class_body };
+        self.current = self.push_scope(kind, range, name, Some(outer.scope));
+        self.scopes.nodes.insert(range, self.current);
+        self.checks.kind = kind;
+        self.checks.in_loop = false;
+        self.checks.in_class_body = kind == ScopeKind::Class || (kind.is_comprehension() && outer.in_class_body);
+        outer
+    }
+
+    fn close(&mut self, outer: Outer) {
+        self.current = outer.scope;
+        self.checks.kind = outer.kind;
+        self.checks.in_loop = outer.in_loop;
+        self.checks.in_class_body = outer.in_class_body;
+    }
+
+    fn intern(&mut self, name: &Name) -> NameId {
+        let private = self.scopes.scopes[self.current.0 as usize].private.as_ref();
+        let owned;
+        let name = if private.is_some() && name.starts_with("__") {
+            owned = Name::new(mangled(private, name));
+            &owned
+        } else {
+            name
+        };
+        if let Some(id) = self.scopes.name_ids.get(name) {
+            return *id;
+        }
+        let id = NameId(u32::try_from(self.scopes.names.len()).unwrap_or(u32::MAX));
+        self.scopes.names.push(name.clone());
+        self.scopes.name_ids.insert(name.clone(), id);
+        id
+    }
+
+    fn entry(&mut self, scope: ScopeId, name: NameId) -> &mut Entry {
+        let next = u32::try_from(self.entries.len()).unwrap_or(u32::MAX);
+        let at = *self.entry_of.entry((scope, name)).or_insert(next);
+        if at == next {
+            self.entries.push(Entry { scope, name, uses: Uses::default(), declared: None });
+        }
+        &mut self.entries[at as usize]
+    }
+
+    /// Notes an occurrence of a name in the current scope.
+    fn note(&mut self, name: &Name, range: TextRange, role: Role, uses: Uses) {
+        let name = self.intern(name);
+        let scope = self.current;
+        self.entry(scope, name).uses.add(uses);
+        self.scopes.occurrences.push(Occurrence { range, scope, name, role });
+    }
+
+    fn bind(&mut self, name: &Identifier) {
+        self.note(&name.id, name.range, Role::Bind, Uses::BOUND);
+    }
+
+    fn report(&mut self, range: TextRange, message: String) {
+        self.checks.report(SyntaxError::new(range, message));
+    }
+
+    fn left_out(&mut self, range: TextRange, what: &str) {
+        self.checks.report(SyntaxError::left_out(range, what));
+    }
+
+    /// The keyword at the start of a node, for errors that are about the keyword.
+    fn keyword(range: TextRange, keyword: &str) -> TextRange {
+        TextRange::at(range.start(), TextSize::of(keyword).min(range.len()))
+    }
+
+    fn declare(&mut self, names: &[Identifier], uses: Uses, word: &str) {
+        for name in names {
+            let id = self.intern(&name.id);
+            let scope = self.current;
+            let before = self.entry(scope, id).uses;
+            let both = if uses == Uses::GLOBAL { Uses::NONLOCAL } else { Uses::GLOBAL };
+            if before.has(Uses::PARAMETER) {
+                self.report(name.range, format!("name '{}' is parameter and {word}", name.id));
+            } else if before.has(both) {
+                self.report(name.range, format!("name '{}' is nonlocal and global", name.id));
+            } else if before.has(Uses::READ) {
+                self.report(name.range, format!("name '{}' is used prior to {word} declaration", name.id));
+            } else if before.has(Uses::ANNOTATED) {
+                self.report(name.range, format!("annotated name '{}' can't be {word}", name.id));
+            } else if before.has(Uses::BOUND) {
+                self.report(name.range, format!("name '{}' is assigned to before {word} declaration", name.id));
+            }
+            self.note(&name.id, name.range, Role::Declare, uses);
+            if uses == Uses::NONLOCAL {
+                self.entry(scope, id).declared = Some(name.range);
+            }
+        }
+    }
+
+    fn visit_parameter_defaults(&mut self, parameters: &'a ast::Parameters) {
+        for parameter in parameters.iter_non_variadic_params() {
+            if let Some(default) = &parameter.default {
+                self.visit_expr(default);
+            }
+        }
+        for parameter in parameters {
+            if let Some(annotation) = &parameter.as_parameter().annotation {
+                self.visit_expr(annotation);
+            }
+        }
+    }
+
+    /// In CPython's order: positional, keyword-only, `*args`, `**kwargs`.
+    fn bind_parameters(&mut self, parameters: &ast::Parameters) {
+        let plain = parameters.iter_non_variadic_params().map(|parameter| &parameter.parameter);
+        for parameter in plain.chain(parameters.vararg.as_deref()).chain(parameters.kwarg.as_deref()) {
+            self.note(&parameter.name.id, parameter.name.range, Role::Bind, Uses::PARAMETER);
+        }
+    }
+
+    /// Newer than 3.11, and kept simple: type parameters are names of the scope around the definition.
+    fn bind_type_params(&mut self, type_params: Option<&'a ast::TypeParams>) {
+        for parameter in type_params.into_iter().flat_map(|params| params.iter()) {
+            self.bind(parameter.name());
+            self.visit_type_param(parameter);
+        }
+    }
+
+    fn function(&mut self, node: &'a ast::StmtFunctionDef) {
+        if node.is_async {
+            let start = node.decorator_list.last().map_or(node.start(), Ranged::end);
+            self.left_out(TextRange::new(start.max(node.start()), node.name.start()), "'async def' is");
+        }
+        for decorator in &node.decorator_list {
+            self.visit_decorator(decorator);
+        }
+        self.bind_type_params(node.type_params.as_deref());
+        self.visit_parameter_defaults(&node.parameters);
+        if let Some(returns) = &node.returns {
+            self.visit_expr(returns);
+        }
+        self.bind(&node.name);
+        let outer = self.open(ScopeKind::Function, node.range, node.name.id.clone());
+        self.bind_parameters(&node.parameters);
+        self.visit_body(&node.body);
+        self.close(outer);
+    }
+
+    fn class(&mut self, node: &'a ast::StmtClassDef) {
+        for decorator in &node.decorator_list {
+            self.visit_decorator(decorator);
+        }
+        self.bind_type_params(node.type_params.as_deref());
+        if let Some(arguments) = &node.arguments {
+            self.visit_arguments(arguments);
+        }
+        self.bind(&node.name);
+        let outer = self.open(ScopeKind::Class, node.range, node.name.id.clone());
+        self.visit_body(&node.body);
+        self.close(outer);
+    }
+
+    fn lambda(&mut self, node: &'a ast::ExprLambda) {
+        if let Some(parameters) = &node.parameters {
+            self.visit_parameter_defaults(parameters);
+        }
+        let outer = self.open(ScopeKind::Lambda, node.range, Name::new_static("<lambda>"));
+        if let Some(parameters) = &node.parameters {
+            self.bind_parameters(parameters);
+        }
+        self.visit_expr(&node.body);
+        self.close(outer);
+    }
+
+    fn comprehension(&mut self, kind: ScopeKind, range: TextRange, generators: &'a [ast::Comprehension], elements: [Option<&'a Expr>; 2]) {
+        let name = match kind {
+            ScopeKind::SetComp => "<setcomp>",
+            ScopeKind::DictComp => "<dictcomp>",
+            ScopeKind::Generator => "<genexpr>",
+            _ => "<listcomp>",
+        };
+        if let Some(first) = generators.first() {
+            self.visit_expr(&first.iter);
+        }
+        let outer = self.open(kind, range, Name::new_static(name));
+        let hidden = self.intern(&Name::new_static(".0"));
+        let scope = self.current;
+        self.entry(scope, hidden).uses.add(Uses::PARAMETER);
+        for (i, generator) in generators.iter().enumerate() {
+            if generator.is_async {
+                self.left_out(Self::keyword(generator.range, "async"), "'async for' is");
+            }
+            if i > 0 {
+                self.visit_expr(&generator.iter);
+            }
+            self.visit_expr(&generator.target);
+            for test in &generator.ifs {
+                self.visit_expr(test);
+            }
+        }
+        for element in elements.into_iter().flatten() {
+            self.visit_expr(element);
+        }
+        self.close(outer);
+    }
+
+    /// `name := value`: binds in the function around the comprehensions, not in them.
+    fn walrus(&mut self, node: &'a ast::ExprNamed) {
+        self.visit_expr(&node.value);
+        let Expr::Name(target) = node.target.as_ref() else {
+            self.visit_expr(&node.target);
+            return;
+        };
+        if !self.checks.kind.is_comprehension() {
+            self.visit_expr(&node.target);
+            return;
+        }
+        let mut owner = self.current;
+        while self.scopes.get(owner).kind.is_comprehension() {
+            owner = self.scopes.get(owner).parent.unwrap_or(ScopeId::MODULE);
+        }
+        let name = self.intern(&target.id);
+        let entry = self.entry(owner, name);
+        entry.uses.add(Uses::BOUND);
+        let is_global = owner == ScopeId::MODULE || entry.uses.has(Uses::GLOBAL);
+        self.note(&target.id, target.range, Role::Bind, if is_global { Uses::GLOBAL } else { Uses::NONLOCAL });
+    }
+
+    fn yields(&mut self, range: TextRange) {
+        let scope = self.current.0 as usize;
+        let place = match self.checks.kind {
+            ScopeKind::Function | ScopeKind::Lambda => {
+                self.scopes.scopes[scope].is_generator = true;
+                return;
+            }
+            ScopeKind::Module | ScopeKind::Class => "outside function",
+            ScopeKind::ListComp => "inside list comprehension",
+            ScopeKind::SetComp => "inside set comprehension",
+            ScopeKind::DictComp => "inside dict comprehension",
+            ScopeKind::Generator => "inside generator expression",
+        };
+        self.report(range, format!("'yield' {place}"));
+    }
+
+    fn looped(&mut self, body: &'a [Stmt], orelse: &'a [Stmt]) {
+        let before = std::mem::replace(&mut self.checks.in_loop, true);
+        self.visit_body(body);
+        self.checks.in_loop = before;
+        self.visit_body(orelse);
+    }
+
+    fn annotated(&mut self, node: &'a ast::StmtAnnAssign) {
+        if let Some(value) = &node.value {
+            self.visit_expr(value);
+        }
+        self.visit_expr(&node.annotation);
+        let Expr::Name(target) = node.target.as_ref() else {
+            self.visit_expr(&node.target);
+            return;
+        };
+        if !node.simple {
+            if node.value.is_some() {
+                self.visit_expr(&node.target);
+            }
+            return;
+        }
+        let name = self.intern(&target.id);
+        let scope = self.current;
+        let before = self.entry(scope, name).uses;
+        if scope != ScopeId::MODULE && (before.has(Uses::GLOBAL) || before.has(Uses::NONLOCAL)) {
+            let word = if before.has(Uses::GLOBAL) { "global" } else { "nonlocal" };
+            self.report(target.range, format!("annotated name '{}' can't be {word}", target.id));
+        }
+        self.note(&target.id, target.range, Role::Bind, Uses::BOUND);
+        self.entry(scope, name).uses.add(Uses::ANNOTATED);
+    }
+
+    fn import(&mut self, names: &[ast::Alias], from: bool) {
+        for alias in names {
+            match &alias.asname {
+                Some(name) => self.bind(name),
+                None if from && alias.name.id == "*" => {}
+                None if from => self.bind(&alias.name),
+                None => {
+                    let first = alias.name.id.split('.').next().unwrap_or_default();
+                    let range = TextRange::at(alias.name.start(), TextSize::of(first).min(alias.name.range.len()));
+                    self.note(&Name::new(first), range, Role::Bind, Uses::BOUND);
+                }
+            }
+        }
+    }
+
+    fn attempt(&mut self, node: &'a ast::StmtTry) {
+        self.visit_body(&node.body);
+        for (i, ast::ExceptHandler::ExceptHandler(handler)) in node.handlers.iter().enumerate() {
+            match &handler.type_ {
+                Some(kind) => self.visit_expr(kind),
+                None if i + 1 < node.handlers.len() => {
+                    self.report(Self::keyword(handler.range, "except"), "default 'except:' must be last".to_string());
+                }
+                None => {}
+            }
+            if let Some(name) = &handler.name {
+                self.bind(name);
+            }
+            self.visit_body(&handler.body);
+        }
+        self.visit_body(&node.orelse);
+        self.visit_body(&node.finalbody);
+    }
+
+    fn integer(&mut self, range: TextRange) {
+        let text = self.checks.source.get(range.start().to_usize()..range.end().to_usize()).unwrap_or_default();
+        if text.len() > MAX_INT_DIGITS && text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'_') {
+            let digits = text.bytes().filter(u8::is_ascii_digit).count();
+            if digits > MAX_INT_DIGITS {
+                let limit = format!("Exceeds the limit ({MAX_INT_DIGITS} digits) for integer string conversion: value has {digits} digits");
+                self.report(range, limit);
+            }
+        }
+    }
+
+    /// Lists so long that checking them takes too long.
+    fn is_checkable(&mut self, stmt: &Stmt) -> bool {
+        let type_params = match stmt {
+            Stmt::FunctionDef(node) => &node.type_params,
+            Stmt::ClassDef(node) => &node.type_params,
+            Stmt::TypeAlias(node) => &node.type_params,
+            _ => return true,
+        };
+        match type_params {
+            Some(params) if params.len() > MAX_TYPE_PARAMS => {
+                self.checks.report(SyntaxError::too_big(params.range, "too many type parameters"));
+                false
+            }
+            _ => true,
+        }
+    }
+}
+
+impl<'a> Visitor<'a> for Resolver<'a> {
+    fn visit_stmt(&mut self, stmt: &'a Stmt) {
+        if self.is_checkable(stmt) {
+            self.checker.visit_stmt(stmt, &self.checks);
+        }
+        match stmt {
+            Stmt::FunctionDef(node) => self.function(node),
+            Stmt::ClassDef(node) => self.class(node),
+            Stmt::Global(node) => self.declare(&node.names, Uses::GLOBAL, "global"),
+            Stmt::Nonlocal(node) if self.current == ScopeId::MODULE => {
+                self.report(node.range, "nonlocal declaration not allowed at module level".to_string());
+            }
+            Stmt::Nonlocal(node) => self.declare(&node.names, Uses::NONLOCAL, "nonlocal"),
+            Stmt::For(node) => {
+                if node.is_async {
+                    self.left_out(Self::keyword(node.range, "async"), "'async for' is");
+                }
+                self.visit_expr(&node.iter);
+                self.visit_expr(&node.target);
+                self.looped(&node.body, &node.orelse);
+            }
+            Stmt::While(node) => {
+                self.visit_expr(&node.test);
+                self.looped(&node.body, &node.orelse);
+            }
+            Stmt::With(node) => {
+                if node.is_async {
+                    self.left_out(Self::keyword(node.range, "async"), "'async with' is");
+                }
+                walk_stmt(self, stmt);
+            }
+            Stmt::Try(node) => self.attempt(node),
+            Stmt::AnnAssign(node) => self.annotated(node),
+            Stmt::Import(node) => {
+                if node.is_lazy {
+                    self.left_out(Self::keyword(node.range, "lazy"), "'lazy' imports are");
+                }
+                self.import(&node.names, false);
+            }
+            Stmt::ImportFrom(node) => {
+                if node.is_lazy {
+                    self.left_out(Self::keyword(node.range, "lazy"), "'lazy' imports are");
+                }
+                if node.level == 0 && node.module.as_deref() == Some("__future__") {
+                    self.left_out(node.range, "'from __future__ import' is");
+                }
+                self.import(&node.names, true);
+            }
+            Stmt::TypeAlias(node) => {
+                self.bind_type_params(node.type_params.as_deref());
+                self.visit_expr(&node.value);
+                self.visit_expr(&node.name);
+            }
+            _ => walk_stmt(self, stmt),
+        }
+    }
+
+    fn visit_expr(&mut self, expr: &'a Expr) {
+        self.checker.visit_expr(expr, &self.checks);
+        match expr {
+            Expr::Name(node) => {
+                let (role, uses) = match node.ctx {
+                    ExprContext::Store => (Role::Bind, Uses::BOUND),
+                    ExprContext::Del => (Role::Delete, Uses::BOUND),
+                    ExprContext::Load | ExprContext::Invalid => (Role::Load, Uses::READ),
+                };
+                self.note(&node.id, node.range, role, uses);
+                if role == Role::Load && node.id == "super" && self.checks.kind.is_function_like() {
+                    let class = self.intern(&Name::new_static("__class__"));
+                    let scope = self.current;
+                    self.entry(scope, class).uses.add(Uses::IMPLICIT);
+                }
+            }
+            Expr::Lambda(node) => self.lambda(node),
+            Expr::ListComp(node) => self.comprehension(ScopeKind::ListComp, node.range, &node.generators, [Some(&node.elt), None]),
+            Expr::SetComp(node) => self.comprehension(ScopeKind::SetComp, node.range, &node.generators, [Some(&node.elt), None]),
+            Expr::DictComp(node) => {
+                self.comprehension(ScopeKind::DictComp, node.range, &node.generators, [node.key.as_deref(), Some(&node.value)]);
+            }
+            Expr::Generator(node) => self.comprehension(ScopeKind::Generator, node.range, &node.generators, [Some(&node.elt), None]),
+            Expr::Named(node) => self.walrus(node),
+            Expr::Yield(node) => {
+                self.yields(node.range);
+                walk_expr(self, expr);
+            }
+            Expr::YieldFrom(node) => {
+                self.yields(node.range);
+                walk_expr(self, expr);
+            }
+            Expr::Await(node) => {
+                self.left_out(Self::keyword(node.range, "await"), "'await' is");
+                walk_expr(self, expr);
+            }
+            Expr::TString(node) => {
+                self.left_out(node.range, "template strings (t\"…\") are");
+                walk_expr(self, expr);
+            }
+            Expr::NumberLiteral(node) if node.range.len().to_usize() > MAX_INT_DIGITS => self.integer(node.range),
+            _ => walk_expr(self, expr),
+        }
+    }
+
+    fn visit_pattern(&mut self, pattern: &'a Pattern) {
+        walk_pattern(self, pattern);
+        let name = match pattern {
+            Pattern::MatchStar(node) => &node.name,
+            Pattern::MatchAs(node) => &node.name,
+            Pattern::MatchMapping(node) => &node.rest,
+            _ => &None,
+        };
+        if let Some(name) = name {
+            self.bind(name);
+        }
+    }
+}
