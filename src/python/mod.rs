@@ -18,6 +18,8 @@ pub mod iter;
 pub mod modules;
 pub mod native;
 pub mod numbers;
+#[cfg(test)]
+mod recorded;
 pub mod symbols;
 pub mod table;
 pub mod text;

@@ -1,1 +1,0 @@
-//! Arithmetic of ints, floats and complex numbers, traced.

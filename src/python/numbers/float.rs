@@ -1,0 +1,113 @@
+//! Floats.
+
+use super::{num, out_of_range, zero_division};
+use crate::python::error::R;
+use crate::python::heap::Complex;
+use crate::python::value::{BinaryOp, Value};
+use crate::python::vm::Vm;
+use crate::trace::{Num, Op as TraceOp};
+
+/// Whether floats take the operator.
+pub(super) fn takes(op: BinaryOp) -> bool {
+    use BinaryOp::*;
+    matches!(op, Add | Sub | Mul | Div | FloorDiv | Mod | Pow)
+}
+
+/// `a op b`
+#[inline]
+pub(super) fn binary(vm: &mut Vm<'_>, op: BinaryOp, a: Num, b: Num) -> R<Option<Value>> {
+    let (x, y) = (a.value, b.value);
+    let (op, result) = match op {
+        BinaryOp::Add => (TraceOp::Add, x + y),
+        BinaryOp::Sub => (TraceOp::Sub, x - y),
+        BinaryOp::Mul => (TraceOp::Mul, x * y),
+        BinaryOp::Div | BinaryOp::FloorDiv | BinaryOp::Mod => {
+            vm.trace.order(b, Num::plain(0.0));
+            if y == 0.0 {
+                return Err(zero_division(
+                    vm,
+                    match op {
+                        BinaryOp::Div => "float division by zero",
+                        BinaryOp::FloorDiv => "float floor division by zero",
+                        _ => "float modulo",
+                    },
+                ));
+            }
+            match op {
+                BinaryOp::Div => (TraceOp::Div, x / y),
+                BinaryOp::FloorDiv => (TraceOp::FloorDiv, float_floor_div(x, y)),
+                _ => (TraceOp::Mod, float_mod(x, y)),
+            }
+        }
+        BinaryOp::Pow => return power(vm, a, b).map(Some),
+        _ => return Ok(None),
+    };
+    let handle = vm.trace.binary(op, a, b, result);
+    Ok(Some(Value::Float(result, handle)))
+}
+
+/// `x % y` for y ≠ 0: the sign of y.
+pub fn float_mod(x: f64, y: f64) -> f64 {
+    float_divmod(x, y).1
+}
+
+/// `x // y` for y ≠ 0.
+pub fn float_floor_div(x: f64, y: f64) -> f64 {
+    float_divmod(x, y).0
+}
+
+/// `divmod(x, y)` for y ≠ 0.
+pub fn float_divmod(x: f64, y: f64) -> (f64, f64) {
+    let mut rest = x % y;
+    let mut quotient = (x - rest) / y;
+    if rest != 0.0 {
+        if (y < 0.0) != (rest < 0.0) {
+            rest += y;
+            quotient -= 1.0;
+        }
+    } else {
+        rest = 0f64.copysign(y);
+    }
+    let floor = if quotient != 0.0 {
+        let floor = quotient.floor();
+        if quotient - floor > 0.5 { floor + 1.0 } else { floor }
+    } else {
+        0f64.copysign(x / y)
+    };
+    (floor, rest)
+}
+
+/// `a ** b`, with the guards that keep a replay within this branch.
+pub(super) fn power(vm: &mut Vm<'_>, a: Num, b: Num) -> R<Value> {
+    let (x, y) = (a.value, b.value);
+    let traced = !(a.handle.is_none() && b.handle.is_none());
+    if traced {
+        vm.trace.order(a, Num::plain(0.0));
+        if x == 0.0 {
+            vm.trace.order(b, Num::plain(0.0));
+        } else if x < 0.0 {
+            vm.trace.pin(b);
+        }
+    }
+    if x == 0.0 && y < 0.0 {
+        return Err(zero_division(vm, "0.0 cannot be raised to a negative power"));
+    }
+    if x < 0.0 && x.is_finite() && y.is_finite() && y != y.floor() {
+        vm.trace.pin(a);
+        let result = super::complex::pow(Complex { re: x, im: 0.0 }, Complex { re: y, im: 0.0 });
+        return Ok(Value::Complex(vm.heap.alloc(result)));
+    }
+    let result = libm::pow(x, y);
+    let overflows = result.is_infinite() && x.is_finite() && y.is_finite();
+    if overflows {
+        vm.trace.pin(a);
+        vm.trace.pin(b);
+        return Err(out_of_range(vm));
+    }
+    let handle = vm.trace.binary(TraceOp::Pow, a, b, result);
+    if traced {
+        let magnitude = vm.trace.unary(TraceOp::Abs, num(result, handle), result.abs());
+        vm.trace.order(num(result.abs(), magnitude), Num::plain(f64::INFINITY));
+    }
+    Ok(Value::Float(result, handle))
+}
