@@ -62,7 +62,7 @@ pub fn check(layout: &Layout, rules: &Rules) -> Verdict {
 /// An error of a length; it counts where its weighted loss is at least 1.
 fn long(kind: ErrorKind, culprit: usize, other: Option<usize>, metres: f64, weight: f64) -> Option<Violation> {
     let loss = (weight * metres) as u64;
-    (loss > 0).then_some(Violation { kind, culprit: culprit as u32, other: other.map(|index| index as u32), metres, loss })
+    (loss > 0).then_some(Violation { kind, culprit: culprit as u32, other: other.map(|index| index as u32), metres, loss, support: None })
 }
 
 impl Checker<'_> {
@@ -88,7 +88,7 @@ impl Checker<'_> {
     pub fn alone(&self, index: usize) -> impl Iterator<Item = Violation> + use<> {
         let (body, bounds, weights) = (&self.bodies[index], &self.bounds, &self.rules.weights);
         if !body.is_placed() {
-            let unplaced = Violation { kind: ErrorKind::Unplaced, culprit: index as u32, other: None, metres: 0.0, loss: 0 };
+            let unplaced = Violation { kind: ErrorKind::Unplaced, culprit: index as u32, other: None, metres: 0.0, loss: 0, support: None };
             return [Some(unplaced), None, None, None, None].into_iter().flatten();
         }
         let against = measure::against(self.rules, bounds, body);
@@ -119,7 +119,7 @@ impl Checker<'_> {
         let weight = if body.support == Support::Mounted { weights.short_side_mounted } else { weights.short_side };
         let [x, y, z] = body.size();
         let loss = ((weight * x.max(y).max(z)) as u64).max(1);
-        let violation = Violation { kind: ErrorKind::ShortSide, culprit: index as u32, other: None, metres: 0.0, loss };
+        let violation = Violation { kind: ErrorKind::ShortSide, culprit: index as u32, other: None, metres: 0.0, loss, support: None };
         (weight > 0.0).then_some(violation)
     }
 
@@ -161,9 +161,13 @@ impl Checker<'_> {
 
     /// The error of a standing body that nothing carries, among all bodies.
     pub fn standing_of(&self, index: usize) -> Option<Violation> {
-        let supports = self.placed().map(|(_, body)| body);
-        let gap = measure::standing(self.rules, &self.bodies[index], supports)?;
-        long(ErrorKind::Standing, index, None, gap, self.rules.weights.standing)
+        let supports = self.placed().filter(|(support, _)| *support != index);
+        self.floating(index, measure::standing(self.rules, &self.bodies[index], supports)?)
+    }
+
+    fn floating(&self, index: usize, gap: measure::Gap) -> Option<Violation> {
+        let found = long(ErrorKind::Standing, index, None, gap.metres, self.rules.weights.standing)?;
+        Some(Violation { support: gap.support.map(|support| support as u32), ..found })
     }
 
     fn standing(&self, found: &mut Found) {
@@ -176,24 +180,25 @@ impl Checker<'_> {
         found.begin();
         let tops = Index::of_tops(self.placed());
         for (index, body) in above {
-            let gap = self.nearest_support(body, &tops, found);
-            if gap >= rules.tolerance {
-                found.add(long(ErrorKind::Standing, index, None, gap, rules.weights.standing));
+            let gap = self.nearest_support(index, body, &tops, found);
+            if gap.metres >= rules.tolerance {
+                found.add(self.floating(index, gap));
             }
         }
     }
 
     /// [`measure::standing`] by the index: supports are asked in the order of their straight distance, which is never more than the
     /// distance that counts, until none can be nearer or one is near enough.
-    fn nearest_support(&self, body: &Body, tops: &Index, found: &mut Found) -> f64 {
-        let (above, beside) = measure::gap_to(body, body);
-        let mut gap = body.min[2].abs().min(above + beside);
+    fn nearest_support(&self, index: usize, body: &Body, tops: &Index, found: &mut Found) -> measure::Gap {
+        let mut gap = measure::Gap::to_ground(body);
         for (support, straight) in tops.nearest([body.center[0], body.center[1], body.min[2]]) {
-            if gap < self.rules.tolerance || straight > gap * gap * (1.0 + 1e-9) || !found.next_pair() {
+            let far = straight > gap.metres * gap.metres * (1.0 + 1e-9);
+            if far || gap.metres < self.rules.tolerance || !found.next_pair() {
                 break;
             }
-            let (above, beside) = measure::gap_to(body, &self.bodies[support]);
-            gap = gap.min(above + beside);
+            if support != index {
+                gap = gap.or(body, support, &self.bodies[support]);
+            }
         }
         gap
     }

@@ -41,6 +41,8 @@ pub enum Code {
     Unplaced,
     /// An object told to face itself.
     SelfFacing,
+    /// A colour that is not RRGGBB.
+    BadColor,
     /// An integer where a float could have been tuned.
     IntegerConstant,
     /// A tunable constant that moves nothing.

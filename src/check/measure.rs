@@ -79,15 +79,38 @@ pub fn gap_to(body: &Body, support: &Body) -> (f64, f64) {
     ((body.min[2] - support.max[2]).abs(), beside(0) + beside(1))
 }
 
-/// The distance of a standing body from the nearest support, or `None` where it is carried. `supports` gives the bodies
-/// that may carry it, itself among them: its own top bounds the distance.
-pub fn standing<'a>(rules: &Rules, body: &Body, supports: impl Iterator<Item = &'a Body>) -> Option<f64> {
-    let ground = body.min[2].abs();
-    if body.support != Support::Standing || ground < rules.tolerance {
+/// How far a standing body is from what could carry it.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Gap {
+    /// The distance; never more than the body's own height.
+    pub metres: f64,
+    /// The nearest support within that distance; the ground where there is none.
+    pub support: Option<usize>,
+}
+
+impl Gap {
+    /// The gap of the body numbered `index` before any other is looked at: to the ground.
+    pub fn to_ground(body: &Body) -> Gap {
+        let (own_height, _) = gap_to(body, body);
+        Gap { metres: body.min[2].abs().min(own_height), support: None }
+    }
+
+    /// The gap where another body may carry it too. Among equals the ground comes first, then the first declared.
+    pub fn or(self, body: &Body, index: usize, support: &Body) -> Gap {
+        let (above, beside) = gap_to(body, support);
+        let metres = above + beside;
+        let tie = metres == self.metres && self.support.is_some_and(|known| index < known);
+        if metres < self.metres || tie { Gap { metres, support: Some(index) } } else { self }
+    }
+}
+
+/// The gap under a standing body, or `None` where it is carried. `supports` gives the other bodies that take part.
+pub fn standing<'a>(rules: &Rules, body: &Body, supports: impl Iterator<Item = (usize, &'a Body)>) -> Option<Gap> {
+    if body.support != Support::Standing || body.min[2].abs() < rules.tolerance {
         return None;
     }
-    let gap = supports.map(|support| gap_to(body, support)).fold(ground, |gap, (above, beside)| gap.min(above + beside));
-    (gap >= rules.tolerance).then_some(gap)
+    let gap = supports.fold(Gap::to_ground(body), |gap, (index, support)| gap.or(body, index, support));
+    (gap.metres >= rules.tolerance).then_some(gap)
 }
 
 /// Distance of a body from the nearer wall of each pair: left and right, top and bottom.

@@ -11,14 +11,21 @@
 //!
 //! Knows `scene`. Knows nothing of how errors are fixed or shown.
 
+mod blame;
 mod checker;
 pub mod codes;
 pub mod finding;
+mod findings;
 mod index;
 pub mod measure;
 pub mod rules;
 mod violation;
+mod words;
 
 pub use checker::{Checker, check};
+pub use findings::findings;
 pub use rules::Rules;
 pub use violation::{ErrorKind, Verdict, Violation};
+
+#[cfg(test)]
+mod tests;

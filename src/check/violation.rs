@@ -60,6 +60,8 @@ pub struct Violation {
     pub metres: f64,
     /// int(weight × metres), or the weight itself; what the search minimises.
     pub loss: u64,
+    /// Of `standing`: the object whose top is nearest; the ground where there is none.
+    pub support: Option<u32>,
 }
 
 impl Violation {

@@ -112,6 +112,17 @@ pub(super) const AFTER: &[Info] = &[
         fixed: "table = Object(\"Table\", width=1.6, depth=0.9, height=0.75)\ntable.center = (0, 0, 0.375)\ntable.facing = Y_MAX\n",
     },
     Info {
+        code: Code::BadColor,
+        name: "bad-color",
+        severity: Severity::Info,
+        summary: "A color is not RRGGBB.",
+        explanation: "Colors are six hexadecimal digits, two each for red, green and blue, with or without a `#` before them. Any other value is ignored: the object has no color of its own.",
+        template: None,
+        example: "table = Object(\"Table\", width=1.6, depth=0.9, height=0.75, color=\"brown\")\ntable.center = (0, 0, 0.375)\n",
+        remedy: "Write the color as digits.",
+        fixed: "table = Object(\"Table\", width=1.6, depth=0.9, height=0.75, color=\"8B4513\")\ntable.center = (0, 0, 0.375)\n",
+    },
+    Info {
         code: Code::IntegerConstant,
         name: "integer-constant",
         severity: Severity::Info,
