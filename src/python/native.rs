@@ -23,7 +23,7 @@ pub enum NativeKind {
 }
 
 /// A function written in Rust. All of them are statics.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Native {
     /// Its name in Python.
     pub name: &'static str,

@@ -2,6 +2,7 @@
 
 pub mod bytes;
 pub mod complex;
+pub mod containers;
 pub mod dict;
 pub mod exception;
 pub mod float;
@@ -12,5 +13,6 @@ pub mod list;
 pub mod object;
 pub mod range;
 pub mod set;
+pub mod slice;
 pub mod str;
 pub mod tuple;

@@ -1,0 +1,206 @@
+//! `sorted` and `list.sort`: a stable merge sort whose comparisons may raise, and may change the list that is being sorted.
+
+use crate::python::error::R;
+use crate::python::heap::*;
+use crate::python::iterate::VALUE;
+use crate::python::native::Args;
+use crate::python::symbols::sym;
+use crate::python::value::Value;
+use crate::python::vm::Vm;
+use std::cmp::Ordering;
+
+/// How to sort, as the keywords say it.
+struct Order {
+    key: Option<Value>,
+    reverse: bool,
+}
+
+fn order(vm: &mut Vm<'_>, function: &str, args: Args<'_>) -> R<Order> {
+    let mut order = Order { key: None, reverse: false };
+    for &(name, value) in args.kw {
+        if name == sym::N_KEY {
+            order.key = (!value.is_none()).then_some(value);
+        } else if name == sym::N_REVERSE {
+            let value = vm.pin(value);
+            order.reverse = vm.index(value)? != 0;
+        } else {
+            let name = vm.symbols.text(name).to_string();
+            return Err(vm.type_error(format!("'{name}' is an invalid keyword argument for {function}()")));
+        }
+    }
+    Ok(order)
+}
+
+/// `sorted(iterable, *, key=None, reverse=False)`
+pub fn sorted(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
+    let items = vm.collect(args.at(0))?;
+    let order = order(vm, "sort", args)?;
+    let items = sort_by(vm, items, order)?;
+    Ok(vm.new_list(items))
+}
+
+/// `list.sort(*, key=None, reverse=False)`
+pub fn sort(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
+    let list = super::this(vm, &args)?;
+    let order = order(vm, "sort", args)?;
+    // The list is empty while its items are compared: a change in the meantime can be told by that.
+    let items = std::mem::take(&mut vm.heap[list].0);
+    let result = sort_by(vm, items.clone(), order);
+    let changed = vm.heap[list].0.capacity() > 0;
+    let (items, result) = match result {
+        Ok(sorted) => (sorted, Ok(Value::None)),
+        Err(raise) => (items, Err(raise)),
+    };
+    vm.heap[list].0 = items;
+    if changed && result.is_ok() {
+        return Err(vm.value_error("list modified during sort"));
+    }
+    result
+}
+
+/// Sorts values ascending, without a key: what `sorted(values)` does.
+pub fn sort_values(vm: &mut Vm<'_>, items: Vec<Value>) -> R<Vec<Value>> {
+    sort_by(vm, items, Order { key: None, reverse: false })
+}
+
+fn sort_by(vm: &mut Vm<'_>, items: Vec<Value>, order: Order) -> R<Vec<Value>> {
+    vm.reserve(items.len() * 4 * VALUE)?;
+    let keys = match order.key {
+        None => items.clone(),
+        Some(function) => {
+            let mut keys = Vec::with_capacity(items.len());
+            for &item in &items {
+                vm.charge(1)?;
+                keys.push(vm.call(function, &[item])?);
+            }
+            keys
+        }
+    };
+    let depth = u64::from(items.len().max(2).ilog2());
+    vm.charge(items.len() as u64 * depth / 8)?;
+    // Reversed twice, so that equal items keep their order.
+    let mut places: Vec<u32> = (0..items.len() as u32).collect();
+    if order.reverse {
+        places.reverse();
+    }
+    match plain_order(&vm.heap, &keys) {
+        Some(compare) => places.sort_by(|&a, &b| compare(&vm.heap, keys[a as usize], keys[b as usize])),
+        None => merge_sort(vm, &mut places, &keys)?,
+    }
+    if order.reverse {
+        places.reverse();
+    }
+    Ok(places.into_iter().map(|p| items[p as usize]).collect())
+}
+
+type Compare = fn(&Heap, Value, Value) -> Ordering;
+
+/// The comparison of keys that are all of one plain type and untraced: no Python code runs, nothing is guarded.
+fn plain_order(heap: &Heap, keys: &[Value]) -> Option<Compare> {
+    let all = |test: fn(&Value) -> bool| keys.iter().all(test);
+    let _ = heap;
+    match keys.first()? {
+        Value::Int(..) if all(|k| matches!(k, Value::Int(_, h) if h.is_none())) => Some(|_, a, b| match (a, b) {
+            (Value::Int(a, _), Value::Int(b, _)) => a.cmp(&b),
+            _ => Ordering::Equal,
+        }),
+        Value::Float(..) if all(|k| matches!(k, Value::Float(v, h) if h.is_none() && !v.is_nan())) => Some(|_, a, b| match (a, b) {
+            (Value::Float(a, _), Value::Float(b, _)) => a.partial_cmp(&b).unwrap_or(Ordering::Equal),
+            _ => Ordering::Equal,
+        }),
+        Value::Str(_) if all(|k| matches!(k, Value::Str(_))) => Some(|heap, a, b| match (a, b) {
+            (Value::Str(a), Value::Str(b)) => heap[a].text.cmp(&heap[b].text),
+            _ => Ordering::Equal,
+        }),
+        _ => None,
+    }
+}
+
+/// Stable, by `less` alone: runs that are already in order are taken as they are (as CPython does, whose count of comparisons on sorted input
+/// programs can see), short ones grow by binary insertion, then neighbours are merged.
+fn merge_sort(vm: &mut Vm<'_>, places: &mut [u32], keys: &[Value]) -> R<()> {
+    const SHORT: usize = 32;
+    let len = places.len();
+    let mut runs: Vec<usize> = vec![0];
+    let mut start = 0;
+    while start < len {
+        let mut end = natural_run(vm, &mut places[start..], keys)? + start;
+        let goal = len.min(start + if len < 64 { len } else { SHORT });
+        while end < goal {
+            insert_into(vm, &mut places[start..=end], keys)?;
+            end += 1;
+        }
+        runs.push(end);
+        start = end;
+    }
+    while runs.len() > 2 {
+        let mut merged = vec![0];
+        for pair in (0..runs.len() - 1).step_by(2) {
+            let (a, b) = (runs[pair], runs[pair + 1]);
+            let c = runs.get(pair + 2).copied().unwrap_or(b);
+            merge(vm, &mut places[a..c], b - a, keys)?;
+            merged.push(c);
+        }
+        runs = merged;
+    }
+    Ok(())
+}
+
+/// The length of the run that the places begin with: ascending, or strictly descending and then turned round.
+fn natural_run(vm: &mut Vm<'_>, places: &mut [u32], keys: &[Value]) -> R<usize> {
+    let key = |p: u32| keys[p as usize];
+    if places.len() < 2 {
+        return Ok(places.len());
+    }
+    let descending = vm.less(key(places[1]), key(places[0]))?;
+    let mut len = 2;
+    while len < places.len() {
+        vm.charge(1)?;
+        if vm.less(key(places[len]), key(places[len - 1]))? != descending {
+            break;
+        }
+        len += 1;
+    }
+    if descending {
+        places[..len].reverse();
+    }
+    Ok(len)
+}
+
+/// Puts the last place where it belongs among the sorted ones before it.
+fn insert_into(vm: &mut Vm<'_>, places: &mut [u32], keys: &[Value]) -> R<()> {
+    let Some((&pivot, sorted)) = places.split_last() else { return Ok(()) };
+    let (mut low, mut high) = (0, sorted.len());
+    while low < high {
+        vm.charge(1)?;
+        let middle = (low + high) / 2;
+        if vm.less(keys[pivot as usize], keys[places[middle] as usize])? {
+            high = middle;
+        } else {
+            low = middle + 1;
+        }
+    }
+    places[low..].rotate_right(1);
+    Ok(())
+}
+
+/// Merges the two sorted parts of the places, the second from `middle` on.
+fn merge(vm: &mut Vm<'_>, places: &mut [u32], middle: usize, keys: &[Value]) -> R<()> {
+    let (left, right) = (places[..middle].to_vec(), places[middle..].to_vec());
+    let (mut i, mut j) = (0, 0);
+    while i < left.len() && j < right.len() {
+        vm.charge(1)?;
+        if vm.less(keys[right[j] as usize], keys[left[i] as usize])? {
+            places[i + j] = right[j];
+            j += 1;
+        } else {
+            places[i + j] = left[i];
+            i += 1;
+        }
+    }
+    let rest = i + j;
+    for (place, &p) in places[rest..].iter_mut().zip(left[i..].iter().chain(&right[j..])) {
+        *place = p;
+    }
+    Ok(())
+}
