@@ -7,11 +7,11 @@
 use super::classes::Builtin;
 use super::error::R;
 use super::heap::*;
+use super::numbers::{hash_big, hash_float};
 use super::symbols::sym;
 use super::table::Table;
 use super::value::Value;
 use super::vm::Vm;
-use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 use std::ops::{Index, IndexMut};
 
@@ -55,42 +55,6 @@ pub fn hash_int(v: i64) -> i64 {
         -1 => -2,
         h => h,
     }
-}
-
-/// The hash of a float: equal numbers have equal hashes, whatever their type.
-pub fn hash_float(v: f64) -> i64 {
-    const BITS: i32 = 61;
-    const MODULUS: u64 = (1 << BITS) - 1;
-    if v.is_nan() {
-        return 0;
-    }
-    if v.is_infinite() {
-        return if v > 0.0 { 314_159 } else { -314_159 };
-    }
-    let (mut m, mut e) = libm::frexp(v.abs());
-    let mut x = 0u64;
-    while m != 0.0 {
-        x = ((x << 28) & MODULUS) | (x >> (BITS - 28));
-        m *= 268_435_456.0;
-        e -= 28;
-        let y = m as u64;
-        m -= y as f64;
-        x += y;
-        if x >= MODULUS {
-            x -= MODULUS;
-        }
-    }
-    let e = e.rem_euclid(BITS);
-    x = ((x << e) & MODULUS) | (x >> (BITS - e));
-    match if v < 0.0 { -(x as i64) } else { x as i64 } {
-        -1 => -2,
-        h => h,
-    }
-}
-
-/// The hash of an int of any size.
-pub fn hash_big(v: &BigInt) -> i64 {
-    hash_int((v % ((1i64 << 61) - 1)).to_i64().unwrap_or(0))
 }
 
 /// The hash of a tuple, from the hashes of its items.

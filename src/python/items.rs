@@ -417,7 +417,9 @@ impl Vm<'_> {
                 let verdict = self.call(method, &[item])?;
                 self.truth(verdict)
             }
-            None if self.special(container, sym::ITER).is_none() && self.special(container, sym::GETITEM).is_none() => self.not_a_container(container),
+            None if self.special(container, sym::ITER).is_none() && self.special(container, sym::GETITEM).is_none() => {
+                self.not_a_container(container)
+            }
             None => self.contains_by_iteration(container, item),
         }
     }

@@ -67,7 +67,9 @@ fn repeat_count(vm: &mut Vm<'_>, count: Value) -> R<i64> {
         Value::Int(n, _) => Ok(n),
         Value::Bool(b) => Ok(i64::from(b)),
         _ => {
-            if matches!(count, Value::Float(..) | Value::Str(_)) || (!matches!(count, Value::Big(_)) && vm.special(count, sym::INDEX).is_none()) {
+            if matches!(count, Value::Float(..) | Value::Str(_))
+                || (!matches!(count, Value::Big(_)) && vm.special(count, sym::INDEX).is_none())
+            {
                 let name = vm.type_name(count);
                 return Err(vm.type_error(format!("can't multiply sequence by non-int of type '{name}'")));
             }
@@ -106,9 +108,13 @@ fn repeat(vm: &mut Vm<'_>, sequence: Value, count: Value) -> R<Value> {
 pub fn compare(vm: &mut Vm<'_>, op: CompareOp, a: Value, b: Value) -> R<Option<bool>> {
     let (p, q) = (vm.plain(a), vm.plain(b));
     match (p, q) {
-        (Value::List(_), Value::List(_)) | (Value::Tuple(_), Value::Tuple(_)) => vm.nested(" in comparison", |vm| compare_items(vm, op, p, q)).map(Some),
+        (Value::List(_), Value::List(_)) | (Value::Tuple(_), Value::Tuple(_)) => {
+            vm.nested(" in comparison", |vm| compare_items(vm, op, p, q)).map(Some)
+        }
         (Value::Dict(x), Value::Dict(y)) if op == CompareOp::Eq => vm.nested(" in comparison", |vm| dict::equal(vm, x, y)).map(Some),
-        (Value::Dict(x), Value::Dict(y)) if op == CompareOp::Ne => vm.nested(" in comparison", |vm| dict::equal(vm, x, y)).map(|e| Some(!e)),
+        (Value::Dict(x), Value::Dict(y)) if op == CompareOp::Ne => {
+            vm.nested(" in comparison", |vm| dict::equal(vm, x, y)).map(|e| Some(!e))
+        }
         (Value::Proxy(x), _) if !matches!(vm.heap[x].0, Value::Class(_)) => {
             let inner = vm.heap[x].0;
             compare(vm, op, inner, q)
@@ -260,7 +266,9 @@ pub fn search_range(vm: &mut Vm<'_>, args: &Args<'_>, len: usize) -> R<(usize, u
     let mut place = |i: usize, default: usize| -> R<usize> {
         let Some(value) = args.get(i) else { return Ok(default) };
         let value = vm.pin(value);
-        if matches!(value, Value::None | Value::Float(..) | Value::Str(_)) || (value.index().is_some() && !matches!(value, Value::Big(_)) && vm.special(value, sym::INDEX).is_none()) {
+        if matches!(value, Value::None | Value::Float(..) | Value::Str(_))
+            || (value.index().is_some() && !matches!(value, Value::Big(_)) && vm.special(value, sym::INDEX).is_none())
+        {
             return Err(vm.type_error("slice indices must be integers or have an __index__ method"));
         }
         let big = vm.index_big(value)?;

@@ -8,7 +8,7 @@ use crate::python::iterate;
 use crate::python::native::{Args, Native};
 use crate::python::value::{CompareOp, Value};
 use crate::python::vm::Vm;
-use num_traits::{Signed, ToPrimitive};
+use num_traits::ToPrimitive;
 
 /// Methods of `slice`.
 pub const SLICE: &[Native] = slice::METHODS;

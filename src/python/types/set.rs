@@ -373,4 +373,3 @@ const fn frozen() -> [Native; 28] {
 pub const METHODS: &[Native] = &all();
 /// Methods of `frozenset`.
 pub const FROZEN: &[Native] = &frozen();
-

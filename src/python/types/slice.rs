@@ -54,7 +54,8 @@ impl Bounds {
             Some(b) if b < 0 => b.saturating_add(len).max(low),
             Some(b) => b.min(high),
         };
-        let (start, stop) = if self.step < 0 { (place(self.start, high), place(self.stop, low)) } else { (place(self.start, low), place(self.stop, high)) };
+        let (start, stop) =
+            if self.step < 0 { (place(self.start, high), place(self.stop, low)) } else { (place(self.start, low), place(self.stop, high)) };
         let count = if self.step < 0 {
             if stop < start { (start - stop - 1) as u64 / self.step.unsigned_abs() + 1 } else { 0 }
         } else if start < stop {
