@@ -22,11 +22,15 @@ mod parse;
 mod resolve;
 mod scan;
 pub mod scope;
+mod suggest;
+pub mod tune;
 
 pub use error::{Edit, ErrorKind, Fix, SyntaxError};
 pub use line_index::{Encoding, LineColumn, LineIndex};
 pub use parse::{MAX_DEPTH, MAX_TEXT, Parsed, parse};
 pub use scope::{NameKind, ScopeId, ScopeKind, Scopes};
+pub use suggest::suggest;
+pub use tune::{ConstantId, DirectionId, Tuning, tune};
 
 /// The nodes of the tree, and the ranges that they carry.
 pub mod ast {

@@ -232,7 +232,7 @@ impl Scopes {
                 break;
             }
             at = self.get(parent);
-            parts.push(if at.kind.is_function_like() { ".<locals>." } else { "." });
+            parts.push(if matches!(at.kind, ScopeKind::Function | ScopeKind::Lambda) { ".<locals>." } else { "." });
             parts.push(at.name.as_str());
             length += at.name.len();
         }
