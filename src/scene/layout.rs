@@ -7,7 +7,8 @@ use crate::trace::{Arith, Handle};
 use super::origin::{OriginId, Origins};
 use super::settle::extents;
 use super::terms::{Anchor, Axis, Cardinal, Kind, ObjectId, Scalar, Support, Target};
-use super::world::{How, SceneInfo, World};
+use super::thing::How;
+use super::world::{SceneInfo, World};
 
 /// What the program told an object to face.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -16,9 +16,12 @@ mod error;
 mod frame;
 mod json;
 mod layout;
+pub mod names;
 mod origin;
 mod settle;
+pub mod template;
 mod terms;
+mod thing;
 mod world;
 
 pub use error::SceneError;

@@ -11,8 +11,9 @@ use super::error::SceneError;
 use super::frame::Frame;
 use super::layout::{Warning, WarningKind};
 use super::origin::{OriginId, Origins};
-use super::settle::{Aim, Outcome, Question, Settled, decide, extents};
+use super::settle::{Aim, Outcome, Question, Settled, decide};
 use super::terms::{Anchor, Axis, Cardinal, Given, Kind, ObjectId, Scalar, Support, Target, category_of};
+use super::thing::{How, Slot, Thing, Told};
 
 /// How many objects a scene holds at most; more are a `MemoryError`.
 pub const MAX_OBJECTS: usize = 200_000;
@@ -85,84 +86,6 @@ pub enum FacingSpec {
     CenterOf(Target),
     /// x and y of a point in the current frame.
     Point([Num; 2]),
-}
-
-/// The last anchor of an axis.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Slot {
-    pub(super) anchor: Anchor,
-    /// World coordinate.
-    pub(super) value: Scalar,
-    pub(super) origin: OriginId,
-    /// When it was written, in writes of the run.
-    pub(super) when: u32,
-}
-
-/// The last facing that an object was told.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Told {
-    pub(super) how: How,
-    pub(super) origin: OriginId,
-    pub(super) when: u32,
-}
-
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum How {
-    Direction(Cardinal),
-    Point([Num; 2]),
-    Toward(Target),
-}
-
-#[derive(Clone, Debug)]
-pub(super) struct Thing {
-    /// Index of the category.
-    pub(super) category: usize,
-    pub(super) kind: Kind,
-    pub(super) support: Support,
-    pub(super) dims: [Scalar; 3],
-    pub(super) color: Option<String>,
-    pub(super) dynamic: bool,
-    pub(super) declared: OriginId,
-    /// By world axis.
-    pub(super) slots: [Option<Slot>; 3],
-    /// Axes in the order in which they were first written.
-    pub(super) order: SmallVec<[Axis; 3]>,
-    pub(super) told: Option<Told>,
-    /// `None` until settled, and again after a new facing.
-    pub(super) outcome: Option<Outcome>,
-}
-
-impl Thing {
-    pub(super) fn size(&self) -> [f64; 3] {
-        self.dims.map(Scalar::value)
-    }
-
-    fn anchors(&self) -> [Option<(Anchor, Num)>; 3] {
-        self.slots.map(|slot| slot.map(|slot| (slot.anchor, slot.value.num)))
-    }
-
-    /// The center on one axis, facing `turn`.
-    pub(super) fn center<R: Arith + ?Sized>(&self, rec: &mut R, axis: Axis, turn: Cardinal) -> Scalar {
-        let half = Num::plain(0.5 * extents(self.size(), turn)[axis.index()]);
-        match self.slots[axis.index()] {
-            Some(Slot { anchor: Anchor::Center, value, .. }) => value,
-            Some(Slot { anchor: Anchor::Min, value, .. }) => rec.add(value.num, half).into(),
-            Some(Slot { anchor: Anchor::Max, value, .. }) => rec.sub(value.num, half).into(),
-            None if axis == Axis::Z => half.into(),
-            None => Num::plain(0.0).into(),
-        }
-    }
-
-    /// A part of the box in world coordinates, facing `turn`.
-    fn part<R: Arith + ?Sized>(&self, rec: &mut R, anchor: Anchor, axis: Axis, turn: Cardinal) -> Scalar {
-        let center = self.center(rec, axis, turn);
-        let half = Num::plain(0.5 * extents(self.size(), turn)[axis.index()]);
-        match anchor {
-            Anchor::Center => center,
-            Anchor::Min => rec.sub(center.num, half).into(),
-            Anchor::Max => rec.add(center.num, half).into(),
-        }
-    }
 }
 
 /// A direction that came from a number which literals reach.
@@ -257,6 +180,11 @@ impl World {
     pub fn set_wall_asset(&mut self, asset: &str, interior: bool, color: Option<&str>, origin: OriginId) {
         let color = self.color(color, None, origin);
         self.scene.wall = Some(Surface { asset: asset.to_owned(), color });
+        self.scene.interior = interior;
+    }
+
+    /// Whether there is a ceiling.
+    pub fn set_interior(&mut self, interior: bool) {
         self.scene.interior = interior;
     }
 
