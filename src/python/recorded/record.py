@@ -73,5 +73,38 @@ def numbers():
     write("parse_complex.json", [[t, attempt(lambda: complex(t), lambda c: bits(c.real) + " " + bits(c.imag))] for t in texts])
 
 
+SPECS = ["", "5", "<5", ">5", "^6", "=8", "*^9", "\u00e9>4", "05", "<05", "+", " ", "-", "+08", "z", "z.1f", "#", "#x", "#010X", "#b", "_b", "_x", "o", "x", "X", "c", "5c",
+         "+c", "#c", "d", "n", ",", "_", ",d", "015,", "014,", "08_", "<15,", ",x", ",s", ",c", ".2f", ".0f", "#.0f", "10.3f", "010.3f", "+.3e", "E", ".0e",
+         "#.0e", "g", "G", "#g", ".3g", ".10g", ".3", ".17", "20.15", "#.3", "%", ".1%", ",.2f", "_.3f", "015,.1f", "F", "s", ".2", "<8.2s", "^7s", "=5s", "10s", "abc",
+         "5dd", ".", "1.", "99999999999999999999d", ".99999999999999999999f", ".9999999999f", ",_", "_,", ",,", "\x01", "\u00e9", "q", "0", "00", "000005", "^^5", "<<5", "{", "}",
+         ".60g", "#.60g"]
+LONG = ["1000", ".400f", ".1100e"]
+
+
+def text():
+    ints = [0, 1, -1, 7, 97, 255, -255, 12345, -1234567, 10**20, -10**30, 0x10ffff, 2**70]
+    floats = FLOATS + [any_float() for _ in range(12)] + [9.995, 0.05, 1e10, 999999.5, 1234567.891]
+    complexes = [0j, 1j, -1j, 1 + 2j, complex(-0.0, 1), complex(1.5, -0.0), complex(1e20, float("nan")), 1234.5 - 2j]
+    strings = ["", "a", "abcdef", "h\u00e9llo", "\u4f60\u597d"]
+    rows = []
+    for kind, values, show in (("int", ints, str), ("float", floats, bits), ("complex", complexes, lambda c: bits(c.real) + " " + bits(c.imag)), ("str", strings, str)):
+        for value in values:
+            for spec in SPECS + LONG:
+                if random.random() < (0.7 if kind == "str" else 0.05 if spec in LONG else 0.3):
+                    rows.append([kind, show(value), spec, attempt(lambda: format(value, spec), str)])
+    write("format.json", rows)
+    write("float_repr.json", [[bits(x), repr(x)] for x in MANY])
+    texts = ["", "a", "it's", 'say "hi"', "it's \"both\"", "tab\tnew\nret\r", "\\", "\0\x1f\x7f", "\u00e9\u00a0\u00ad", "\u200b\u2028\ufeff", "\U0001f600\U000e0001", "\ue000\uffff",
+             "\u0378", "\u4f60", "\u0301", "\u3000"]
+    write("repr.json", [[t, repr(t), ascii(t)] for t in texts])
+    import unicodedata
+    # This letter got its capital in Unicode 16.
+    some = [chr(c) for c in range(0x250) if c != 0x19b] + [chr(c) for c in range(0x110000) if unicodedata.category(chr(c)) not in ("Cn", "Cs", "Co") and random.random() < 0.002]
+    some += list("\u01c4\u01c5\u01c6\u01f1\u0390\u10d0\u13a0\u13f8\uab70\u1e9e\u1f80\u1f88\u1fb2\u1fb3\u1fb7\u1fbc\ufb00\ufb03\u0587\u2460\u00b2\u2155\u4e00\u0660\u0669\u3007\u2160\U0001d7ce\U0001d7ff\u3000")
+    rows = [[c, [c.isalpha(), c.isdecimal(), c.isdigit(), c.isnumeric(), c.isspace(), c.isprintable(), unicodedata.category(c) == "Lt"], c.title(), c.casefold()] for c in some]
+    write("characters.json", rows)
+
+
 if __name__ == "__main__":
     numbers()
+    text()

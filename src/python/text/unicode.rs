@@ -117,6 +117,7 @@ pub fn push_title(out: &mut String, c: char) {
 pub fn push_folded(out: &mut String, c: char) {
     match c as u32 {
         0x131 | 0x13A0..=0x13F5 => out.push(c),
+        0x1E9E => out.push_str("ss"),
         0x13F8..=0x13FD | 0xAB70..=0xABBF => out.extend(c.to_uppercase()),
         _ => out.extend(c.to_uppercase().flat_map(char::to_lowercase)),
     }
