@@ -91,7 +91,7 @@ builtins! {
     ToolCombinations = "itertools.combinations", [Object], Sealed, types::iterator::METHODS;
     ToolCombinationsWithReplacement = "itertools.combinations_with_replacement", [Object], Sealed, types::iterator::METHODS;
     ToolCompress = "itertools.compress", [Object], Sealed, types::iterator::METHODS;
-    ToolCount = "itertools.count", [Object], Sealed, types::iterator::METHODS;
+    ToolCount = "itertools.count", [Object], Sealed, types::iterator::SHOWN;
     ToolCycle = "itertools.cycle", [Object], Sealed, types::iterator::METHODS;
     ToolDropwhile = "itertools.dropwhile", [Object], Sealed, types::iterator::METHODS;
     ToolFilterfalse = "itertools.filterfalse", [Object], Sealed, types::iterator::METHODS;
@@ -100,7 +100,7 @@ builtins! {
     ToolPairwise = "itertools.pairwise", [Object], Sealed, types::iterator::METHODS;
     ToolPermutations = "itertools.permutations", [Object], Sealed, types::iterator::METHODS;
     ToolProduct = "itertools.product", [Object], Sealed, types::iterator::METHODS;
-    ToolRepeat = "itertools.repeat", [Object], Sealed, types::iterator::METHODS;
+    ToolRepeat = "itertools.repeat", [Object], Sealed, types::iterator::SHOWN;
     ToolStarmap = "itertools.starmap", [Object], Sealed, types::iterator::METHODS;
     ToolTakewhile = "itertools.takewhile", [Object], Sealed, types::iterator::METHODS;
     ToolZipLongest = "itertools.zip_longest", [Object], Sealed, types::iterator::METHODS;

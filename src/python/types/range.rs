@@ -161,3 +161,6 @@ pub const METHODS: &[Native] = &[
     Native::method("__eq__", 1, 1, |vm, args| containers::method_compare(vm, CompareOp::Eq, args)),
     Native::method("__ne__", 1, 1, |vm, args| containers::method_compare(vm, CompareOp::Ne, args)),
 ];
+
+/// `slice(...)`
+pub use slice::construct as construct_slice;

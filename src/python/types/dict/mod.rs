@@ -2,7 +2,7 @@
 
 mod views;
 
-pub use views::{ITEMS, KEYS, PROXY, VALUES, as_set, of_proxy};
+pub use views::{ITEMS, KEYS, PROXY, VALUES, as_set, construct_proxy, of_proxy};
 
 use super::containers;
 use crate::python::classes::Builtin;

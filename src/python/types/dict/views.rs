@@ -128,3 +128,15 @@ pub fn as_set(vm: &mut Vm<'_>, view: Ref<View>) -> R<Ref<Set>> {
     }
     Ok(result)
 }
+
+/// `mappingproxy(mapping)`
+pub fn construct_proxy(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
+    crate::python::types::iterator::positional(vm, "mappingproxy", &args, 1, 1)?;
+    match vm.plain(args.at(0)) {
+        mapping @ (Value::Dict(_) | Value::Proxy(_)) => Ok(Value::Proxy(vm.heap.alloc(Wrapped(mapping)))),
+        other => {
+            let name = vm.type_name(other);
+            Err(vm.type_error(format!("mappingproxy() argument must be a mapping, not {name}")))
+        }
+    }
+}
