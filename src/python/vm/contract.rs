@@ -21,6 +21,10 @@ impl Vm<'_> {
         stop_iteration() -> Raise;
         call(callee: Value, args: &[Value]) -> R<Value>;
         resume_generator(generator: Ref<Generator>, sent: Value) -> R<Option<Value>>;
+        isinstance(value: Value, class: Value) -> R<bool>;
+        globals_dict() -> Ref<Dict>;
+        locals_dict() -> Ref<Dict>;
+        dir_names(object: Value) -> R<Vec<String>>;
         host_items(object: Value) -> R<Option<SmallVec<[Value; 4]>>>;
         call_with(callee: Value, args: Args<'_>) -> R<Value>;
         call_method(object: Value, name: Symbol, args: &[Value]) -> R<Value>;
