@@ -124,3 +124,23 @@ pub struct Finding {
     /// Another finding at `(place of) cause` makes this one doubtful: the run was partial.
     pub partial: bool,
 }
+
+impl Finding {
+    /// A finding that is no error of the layout, with the usual severity of its code.
+    pub fn new(code: Code, place: Place, message: impl Into<String>) -> Finding {
+        Finding {
+            code,
+            severity: code.severity(),
+            place,
+            message: message.into(),
+            related: Vec::new(),
+            notes: Vec::new(),
+            count: 0,
+            metres: 0.0,
+            loss: 0,
+            objects: Vec::new(),
+            fix: None,
+            partial: false,
+        }
+    }
+}
