@@ -28,8 +28,15 @@ def _slots(cls):
     return names
 
 
+_DEFAULT_STATE = getattr(object, "__getstate__", None)
+
+
 def _state(x):
     """The instance's attributes, in `__dict__` and in slots."""
+    own = getattr(type(x), "__getstate__", None)
+    if own is not None and own is not _DEFAULT_STATE:
+        state = x.__getstate__()
+        return state if isinstance(state, tuple) else (state, {})
     state = {}
     for name in _slots(type(x)):
         if hasattr(x, name):
