@@ -2,9 +2,8 @@
 
 use super::heap::{Class, Heap, Layout, Ref};
 use super::native::Native;
-use super::symbols::{Interner, sym};
 use super::types;
-use super::value::{Symbol, Value};
+use super::value::Value;
 
 /// What a builtin class is made from.
 struct Row {
@@ -205,7 +204,7 @@ impl Builtin {
 }
 
 /// Fills the class arena of a new heap.
-pub(super) fn install(heap: &mut Heap, _symbols: &mut Interner) {
+pub(super) fn install(heap: &mut Heap) {
     for row in ROWS {
         let short = row.name.rsplit('.').next().unwrap_or(row.name);
         let name = heap.str(short);
@@ -241,9 +240,4 @@ pub(super) fn install(heap: &mut Heap, _symbols: &mut Interner) {
             heap[base.class()].subclasses.push(Ref::new(i as u32));
         }
     }
-}
-
-/// The name under which a symbol asks for a class's module: `__module__` of builtin classes.
-pub(super) fn module_of(class: &Class, symbol: Symbol) -> Option<&'static str> {
-    (class.builtin && symbol == sym::MODULE).then_some("builtins")
 }

@@ -165,12 +165,12 @@ impl Vm<'_> {
                 let Method { callee, receiver } = self.heap[m];
                 hash_items([self.identity(callee), self.identity(receiver)].into_iter())
             }
-            Value::Record(r) if self.host.hashable(value) => {
+            Value::Record(r) if self.host_hashable(value) => {
                 let items = self.heap[r].items.clone();
                 let items = items.iter().map(|&v| self.hash(v)).collect::<R<Vec<_>>>()?;
                 hash_items(items.into_iter())
             }
-            Value::Host(_) if self.host.hashable(value) => self.identity(value),
+            Value::Host(_) if self.host_hashable(value) => self.identity(value),
             Value::Host(_) | Value::Record(_) => return self.unhashable(value),
             Value::Class(c) if self.heap[c].meta != Builtin::Type.class() => return self.hash_instance(value),
             other => self.identity(other),

@@ -4,6 +4,7 @@
 //! whenever it meets one of them; what the host does not know, it answers with `None`, and Python's own error follows.
 
 use super::error::R;
+use super::heap::Heap;
 use super::native::Args;
 use super::value::{BinaryOp, UnaryOp, Value};
 use super::vm::HostCx;
@@ -27,7 +28,10 @@ pub trait Host {
     fn names(&self) -> Vec<&'static str>;
 
     /// The name of the type, as `type(o).__name__` and error messages say it.
-    fn type_name(&self, object: Value, cx: &HostCx<'_>) -> &'static str;
+    fn type_name(&self, heap: &Heap, object: Value) -> &'static str;
+
+    /// All that [`type_name`](Host::type_name) may answer: each is a class of its own.
+    fn type_names(&self) -> &'static [&'static str];
 
     /// `o.name`; `None` for an AttributeError in Python's words.
     fn get_attr(&mut self, cx: &mut HostCx<'_>, object: Value, name: &str) -> R<Option<Value>>;
@@ -54,7 +58,7 @@ pub trait Host {
     fn equals(&mut self, cx: &mut HostCx<'_>, a: Value, b: Value) -> R<Option<bool>>;
 
     /// False where objects of this kind are unhashable. Host objects hash by identity, records by their items.
-    fn hashable(&self, object: Value) -> bool;
+    fn hashable(&self, heap: &Heap, object: Value) -> bool;
 
     /// `repr(o)`.
     fn repr(&mut self, cx: &mut HostCx<'_>, object: Value) -> R<String>;

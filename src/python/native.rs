@@ -14,6 +14,8 @@ pub enum NativeKind {
     Function,
     /// A method: bound to the instance.
     Method,
+    /// A method that wants its receiver as it is, not the builtin value that an instance of a subclass holds.
+    Raw,
     /// `dict.fromkeys`: bound to the class.
     ClassMethod,
     /// `str.maketrans`: not bound.
@@ -49,6 +51,11 @@ impl Native {
     /// A method; its receiver does not count as an argument.
     pub const fn method(name: &'static str, min: u8, max: u8, body: NativeFn) -> Native {
         Native { name, body, kind: NativeKind::Method, arity: (min, max), keywords: false }
+    }
+
+    /// A method that gets its receiver as it is (`object.__setattr__`).
+    pub const fn raw(name: &'static str, min: u8, max: u8, body: NativeFn) -> Native {
+        Native { name, body, kind: NativeKind::Raw, arity: (min, max), keywords: false }
     }
 
     /// A class method; `args.pos[0]` is the class.

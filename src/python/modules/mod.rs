@@ -1,7 +1,9 @@
 //! Modules that programs may import.
 
 use super::classes::Builtin;
+use super::code::Program;
 use super::native::Native;
+use std::sync::Arc;
 
 pub mod itertools;
 pub mod random;
@@ -22,4 +24,9 @@ pub fn native_module(name: &str) -> Option<&'static [(&'static str, Item)]> {
         "itertools" => Some(itertools::ITEMS),
         _ => None,
     }
+}
+
+/// A module written in Python, compiled; `None` where there is none of that name.
+pub fn python_module(_name: &str) -> Option<Arc<Program>> {
+    None
 }

@@ -1,4 +1,4 @@
 //! `random`
 /// The state of a generator of random numbers.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Generator;

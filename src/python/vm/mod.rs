@@ -1,13 +1,36 @@
 //! The machine: runs compiled code over a heap and a host, within limits.
+//!
+//! Invariants: frames of Python functions use no Rust stack; native code that calls back into Python grows the Rust stack where it must;
+//! the collector runs only in the outermost loop; a stop (limits, cancellation) passes every handler of the program.
 
-mod contract;
+mod assign;
+mod attr;
+mod call;
+mod class;
+mod default_repr;
+mod errors;
+mod except;
+mod generator;
+mod import;
+mod inspect;
 mod limits;
+mod matching;
+mod operate;
+mod pending;
+mod protocol;
+mod provenance;
+mod run;
+mod show;
+mod start;
 
+pub use except::Failure;
 pub use limits::Limits;
+pub use provenance::{CallChain, PathStep};
+pub use start::{Options, Outcome, Shown, Uncaught};
 
-use super::code::{Code, Program};
+use super::code::{Code, ConstantId, DirectionId, Program};
 use super::frame::Frame;
-use super::heap::{Heap, Module, Ref};
+use super::heap::{Class, Heap, Module, Ref};
 use super::host::Host;
 use super::symbols::Interner;
 use super::value::{Symbol, Value};
@@ -21,23 +44,33 @@ use std::sync::atomic::AtomicBool;
 #[derive(Debug)]
 pub struct Linked {
     /// The compiled module it belongs to.
-    pub program: Arc<Program>,
+    program: Arc<Program>,
     /// Its number there.
-    pub number: u32,
-    /// The code objects of its program begin here.
-    pub first: u32,
-    /// Constants.
-    pub consts: Vec<Value>,
-    /// Names.
-    pub names: Vec<Symbol>,
-    /// Names of the parameters.
-    pub params: Vec<Symbol>,
+    number: u32,
+    /// The code objects of its program begin here; the program that is run has 0, modules that come with psdl follow.
+    first: u32,
+    consts: Vec<Value>,
+    names: Vec<Symbol>,
+    /// Names of the parameters, in the order of the locals.
+    params: Vec<Symbol>,
+    /// Only positional parameters.
+    simple: bool,
+    positional: usize,
+    /// Locals, cells and captured variables.
+    slots: usize,
+    has_cells: bool,
+    generator: bool,
+    /// Steps that a call counts for.
+    cost: u64,
+    name: Value,
+    qualname: Value,
+    doc: Value,
 }
 
 impl Linked {
     /// The code itself.
     #[inline(always)]
-    pub fn code(&self) -> &Code {
+    fn code(&self) -> &Code {
         &self.program.codes[self.number as usize]
     }
 }
@@ -50,9 +83,10 @@ pub struct HostCx<'a> {
     pub symbols: &'a mut Interner,
     /// The record of the run.
     pub trace: &'a mut Trace,
-    pub(super) frames: &'a [Frame],
-    pub(super) codes: &'a [Rc<Linked>],
-    pub(super) stack: &'a [Value],
+    frame: &'a Frame,
+    frames: &'a [Frame],
+    codes: &'a [Rc<Linked>],
+    stack: &'a [Value],
 }
 
 /// The machine.
@@ -64,33 +98,52 @@ pub struct Vm<'h> {
     /// The record of the run.
     pub trace: Trace,
     pub(super) host: &'h mut dyn Host,
-    pub(super) output: &'h mut dyn FnMut(&str),
+    output: &'h mut dyn FnMut(&str),
     pub(super) limits: Limits,
-    pub(super) cancel: Option<&'h AtomicBool>,
-    pub(super) stack: Vec<Value>,
+    cancel: Option<&'h AtomicBool>,
+    /// Whether the run goes on with the next statement of the module after one that raised.
+    lenient: bool,
+    constants: FxHashMap<ConstantId, f64>,
+    directions: FxHashMap<DirectionId, u8>,
+    stack: Vec<Value>,
+    /// The callers of the current frame.
     pub(super) frames: Vec<Frame>,
-    pub(super) codes: Vec<Rc<Linked>>,
+    /// The current frame.
+    frame: Frame,
+    codes: Vec<Rc<Linked>>,
     /// Exceptions being handled, innermost last.
-    pub(super) handling: Vec<Value>,
-    pub(super) modules: FxHashMap<Symbol, Ref<Module>>,
-    /// Names of builtin functions that programs see, by symbol.
-    pub(super) builtins: FxHashMap<Symbol, Value>,
+    handling: Vec<Value>,
+    modules: FxHashMap<Symbol, Ref<Module>>,
+    attr_cache: attr::Cache,
+    /// Names that are Python's or the host's own, as far as they were asked for.
+    builtins: FxHashMap<Symbol, Value>,
     /// Steps left until the next look at the limits…
-    pub(super) countdown: i64,
+    countdown: i64,
     /// …and those left after it.
-    pub(super) steps_left: u64,
-    pub(super) output_left: u64,
+    steps_left: u64,
+    output_left: u64,
     /// Heap size at which the collector runs next.
-    pub(super) collect_at: usize,
+    collect_at: usize,
     /// How many native functions stand between the outermost loop and here.
     pub(super) native_depth: u32,
     /// The generator of `random`'s module functions.
     pub random: super::modules::random::Generator,
     /// Instances of `random.Random`, by number.
     pub randoms: Vec<super::modules::random::Generator>,
-    /// repr() of containers under way, to show `[...]`.
+    /// Containers whose repr is under way, to show `[...]`.
     pub(super) repr_stack: Vec<Value>,
-    /// Set by a metaclass-free `object` subclass with `__eq__` and such; bumped whenever a class changes.
-    pub(super) class_version: u32,
-    pub(super) main: Option<Ref<Module>>,
+    /// The `str` of each symbol, as far as it was asked for.
+    symbol_texts: Vec<Value>,
+    /// Classes that stand for the types of the host.
+    host_classes: Vec<(&'static str, Ref<Class>)>,
+    /// The classes that are there from the beginning.
+    first_classes: u32,
+    failures: Vec<Failure>,
+    /// Where the program stood when it was stopped.
+    stopped_at: Option<CallChain>,
+    /// The frame that was left last is a generator that yielded.
+    yielded: bool,
+    /// What is raised next has its traceback already.
+    reraising: bool,
+    main: Option<Ref<Module>>,
 }

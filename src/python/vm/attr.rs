@@ -1,0 +1,485 @@
+//! Attributes: look-up along classes, descriptors, the hooks of programs.
+
+use super::Vm;
+use crate::python::classes::Builtin;
+use crate::python::error::{R, Raise};
+use crate::python::heap::*;
+use crate::python::native::{Args, Native, NativeKind};
+use crate::python::symbols::sym;
+use crate::python::value::{Symbol, Value};
+
+const CACHE: usize = 1024;
+
+/// What classes answered lately. Cleared whenever any class changes.
+pub struct Cache {
+    entries: Vec<(u32, Symbol, Value)>,
+}
+
+impl Cache {
+    pub(super) fn new() -> Cache {
+        Cache { entries: vec![(u32::MAX, Symbol(0), Value::Undefined); CACHE] }
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.entries.fill((u32::MAX, Symbol(0), Value::Undefined));
+    }
+
+    #[inline(always)]
+    fn place(class: u32, name: Symbol) -> usize {
+        (class.wrapping_mul(31).wrapping_add(name.0)) as usize % CACHE
+    }
+}
+
+/// What attribute access found, before a method is bound: calls need no bound method.
+pub enum Found {
+    /// The attribute.
+    Value(Value),
+    /// A callable that wants the object as its first argument.
+    Method(Value),
+}
+
+impl Vm<'_> {
+    /// The attribute that a class or its bases hold, as it stands there.
+    #[inline]
+    pub fn class_attr(&mut self, class: Ref<Class>, name: Symbol) -> Option<Value> {
+        let place = Cache::place(class.index(), name);
+        let (c, n, v) = self.attr_cache.entries[place];
+        let value = if c == class.index() && n == name { v } else { self.class_attr_slow(class, name, place) };
+        if value.is_undefined() { None } else { Some(value) }
+    }
+
+    fn class_attr_slow(&mut self, class: Ref<Class>, name: Symbol, place: usize) -> Value {
+        let mut found = Value::Undefined;
+        for i in 0..self.heap[class].mro.len() {
+            let base = self.heap[class].mro[i];
+            if !self.heap[base].natives.is_empty() {
+                self.load_natives(base);
+            }
+            if let Some(v) = self.heap[base].attrs.get(&name) {
+                found = *v;
+                break;
+            }
+        }
+        self.attr_cache.entries[place] = (class.index(), name, found);
+        found
+    }
+
+    /// Puts the methods written in Rust into their class's namespace.
+    pub(super) fn load_natives(&mut self, class: Ref<Class>) {
+        let natives = std::mem::take(&mut self.heap[class].natives);
+        for native in natives {
+            let name = self.symbols.intern(native.name);
+            self.heap[class].attrs.entry(name).or_insert(Value::Native(native));
+        }
+    }
+
+    /// `o.name`
+    pub fn get_attr(&mut self, object: Value, name: Symbol) -> R<Value> {
+        match self.find_attr(object, name)? {
+            Some(Found::Value(v)) => Ok(v),
+            Some(Found::Method(callee)) => Ok(self.bind_method(callee, object)),
+            None => Err(self.no_attribute(object, name)),
+        }
+    }
+
+    /// `o.name`, `None` where there is none.
+    pub fn get_attr_opt(&mut self, object: Value, name: Symbol) -> R<Option<Value>> {
+        match self.find_attr(object, name) {
+            Ok(Some(Found::Value(v))) => Ok(Some(v)),
+            Ok(Some(Found::Method(callee))) => Ok(Some(self.bind_method(callee, object))),
+            Ok(None) => Ok(None),
+            Err(raise) if self.raised(&raise, Builtin::AttributeError) => Ok(None),
+            Err(raise) => Err(raise),
+        }
+    }
+
+    pub(super) fn bind_method(&mut self, callee: Value, receiver: Value) -> Value {
+        Value::Method(self.heap.alloc(Method { callee, receiver }))
+    }
+
+    /// `AttributeError`, in CPython's words.
+    pub(super) fn no_attribute(&mut self, object: Value, name: Symbol) -> Raise {
+        let name_text = self.symbols.text(name).to_string();
+        let message = match object {
+            Value::Class(c) => format!("type object '{}' has no attribute '{name_text}'", self.class_name(c)),
+            Value::Module(m) => format!("module '{}' has no attribute '{name_text}'", self.display(self.heap[m].name)),
+            _ => format!("'{}' object has no attribute '{name_text}'", self.type_name(object)),
+        };
+        let raise = self.error(Builtin::AttributeError, message);
+        if let Raise::Exception(e @ Value::Instance(_)) = raise {
+            let text = self.symbol_text(name);
+            self.set_own_attr(e, sym::N_NAME, text);
+            self.set_own_attr(e, sym::N_OBJ, object);
+        }
+        raise
+    }
+
+    /// Puts an attribute straight into an instance's own attributes.
+    pub(crate) fn set_own_attr(&mut self, object: Value, name: Symbol, value: Value) {
+        if let Value::Instance(i) = object
+            && let Attrs::Inline(items) = &mut self.heap[i].attrs
+        {
+            match items.iter_mut().find(|p| p.0 == name) {
+                Some(pair) => pair.1 = value,
+                None => items.push((name, value)),
+            }
+        }
+    }
+
+    /// Attribute access without binding methods.
+    #[inline]
+    pub(crate) fn find_attr(&mut self, object: Value, name: Symbol) -> R<Option<Found>> {
+        match object {
+            Value::Instance(i) => self.find_instance_attr(object, i, name),
+            Value::Class(c) => self.find_type_attr(c, name),
+            Value::Module(m) => self.find_module_attr(m, name),
+            Value::Host(_) | Value::Record(_) => self.find_host_attr(object, name),
+            Value::Super(s) => self.find_super_attr(s, name),
+            Value::Alias(a) => self.find_alias_attr(a, object, name),
+            Value::Function(f) => self.find_function_attr(object, f, name),
+            Value::Method(m) => self.find_method_attr(object, m, name),
+            _ => self.find_builtin_attr(object, name),
+        }
+    }
+
+    pub(super) fn find_builtin_attr(&mut self, object: Value, name: Symbol) -> R<Option<Found>> {
+        let class = self.class_of(object);
+        match self.class_attr(class, name) {
+            Some(value) => self.bind_found(value, object, class).map(Some),
+            None => self.generic_attr(object, class, name),
+        }
+    }
+
+    /// Attributes that everything has.
+    fn generic_attr(&mut self, object: Value, class: Ref<Class>, name: Symbol) -> R<Option<Found>> {
+        Ok(match name {
+            sym::CLASS => Some(Found::Value(Value::Class(class))),
+            sym::NAME | sym::QUALNAME => match object {
+                Value::Native(n) => Some(Found::Value(self.heap.str(n.name))),
+                Value::Generator(g) => Some(Found::Value(if name == sym::NAME { self.heap[g].name } else { self.heap[g].qualname })),
+                _ => None,
+            },
+            sym::DOC => Some(Found::Value(Value::None)),
+            _ => None,
+        })
+    }
+
+    fn find_instance_attr(&mut self, object: Value, i: Ref<Instance>, name: Symbol) -> R<Option<Found>> {
+        let class = self.heap[i].class;
+        if let Some(hook) = self.class_attr(class, sym::GETATTRIBUTE)
+            && !matches!(hook, Value::Native(_))
+        {
+            return self.hooked_attr(object, class, hook, name);
+        }
+        match self.default_instance_attr(object, i, name)? {
+            Some(found) => Ok(Some(found)),
+            None => self.missing_attr(object, class, name),
+        }
+    }
+
+    fn hooked_attr(&mut self, object: Value, class: Ref<Class>, hook: Value, name: Symbol) -> R<Option<Found>> {
+        let text = self.symbol_text(name);
+        match self.call(hook, &[object, text]) {
+            Ok(value) => Ok(Some(Found::Value(value))),
+            Err(raise) if self.raised(&raise, Builtin::AttributeError) && self.class_attr(class, sym::GETATTR).is_some() => {
+                self.missing_attr(object, class, name)
+            }
+            Err(raise) => Err(raise),
+        }
+    }
+
+    /// `__getattr__`, where the class has one.
+    fn missing_attr(&mut self, object: Value, class: Ref<Class>, name: Symbol) -> R<Option<Found>> {
+        let Some(hook) = self.class_attr(class, sym::GETATTR) else { return Ok(None) };
+        let text = self.symbol_text(name);
+        let hook = self.bind_value(hook, object, class)?;
+        self.call(hook, &[text]).map(|v| Some(Found::Value(v)))
+    }
+
+    /// What `object.__getattribute__` does.
+    pub(super) fn default_instance_attr(&mut self, object: Value, i: Ref<Instance>, name: Symbol) -> R<Option<Found>> {
+        let class = self.heap[i].class;
+        let on_class = self.class_attr(class, name);
+        if let Some(value) = on_class
+            && self.is_data_descriptor(value)
+        {
+            return self.bind_found(value, object, class).map(Some);
+        }
+        if let Some(value) = self.own_attr(i, name) {
+            return Ok(Some(Found::Value(value)));
+        }
+        if let Some(value) = on_class {
+            return self.bind_found(value, object, class).map(Some);
+        }
+        match name {
+            sym::CLASS => Ok(Some(Found::Value(Value::Class(class)))),
+            sym::DICT if self.heap[class].slots.is_none() => Ok(Some(Found::Value(Value::Dict(self.instance_dict(i))))),
+            sym::DOC => Ok(Some(Found::Value(Value::None))),
+            sym::MODULE => Ok(self.class_attr(class, name).map(Found::Value)),
+            _ => Ok(None),
+        }
+    }
+
+    /// An instance's own attribute.
+    #[inline]
+    pub(crate) fn own_attr(&mut self, i: Ref<Instance>, name: Symbol) -> Option<Value> {
+        match &self.heap[i].attrs {
+            Attrs::Inline(items) => items.iter().find(|p| p.0 == name).map(|p| p.1),
+            Attrs::Dict(dict) => {
+                let dict = *dict;
+                self.dict_get_symbol(dict, name)
+            }
+        }
+    }
+
+    /// The value of a string key.
+    pub fn dict_get_symbol(&mut self, dict: Ref<Dict>, name: Symbol) -> Option<Value> {
+        let key = self.symbol_text(name);
+        self.dict_get(dict, key).ok().flatten()
+    }
+
+    /// An instance's `__dict__`: from now on its attributes live there.
+    pub(super) fn instance_dict(&mut self, i: Ref<Instance>) -> Ref<Dict> {
+        let items = match &mut self.heap[i].attrs {
+            Attrs::Dict(dict) => return *dict,
+            Attrs::Inline(items) => std::mem::take(items),
+        };
+        let dict = self.symbols_dict(items);
+        self.heap[i].attrs = Attrs::Dict(dict);
+        dict
+    }
+
+    /// A dict with these names as keys.
+    pub(crate) fn symbols_dict(&mut self, items: impl IntoIterator<Item = (Symbol, Value)>) -> Ref<Dict> {
+        let dict = self.heap.dict();
+        for (name, value) in items {
+            let Value::Str(key) = self.symbol_text(name) else { continue };
+            let hash = self.heap[key].hash();
+            self.heap[dict].0.push(hash, Value::Str(key), value);
+        }
+        dict
+    }
+
+    /// True for what wins over an instance's own attribute: properties, and objects with `__set__` or `__delete__`.
+    #[inline]
+    fn is_data_descriptor(&mut self, value: Value) -> bool {
+        match value {
+            Value::Property(_) => true,
+            Value::Native(n) => n.kind == NativeKind::Getter,
+            Value::Instance(i) => {
+                let class = self.heap[i].class;
+                if let Base::Value(Value::Property(_)) = self.heap[i].base {
+                    return true;
+                }
+                self.class_attr(class, sym::SET).is_some() || self.class_attr(class, sym::DELETE).is_some()
+            }
+            _ => false,
+        }
+    }
+
+    /// What a class attribute becomes when an instance asks for it.
+    #[inline]
+    fn bind_found(&mut self, value: Value, object: Value, class: Ref<Class>) -> R<Found> {
+        Ok(match value {
+            Value::Function(_) => Found::Method(value),
+            Value::Native(native) => match native.kind {
+                NativeKind::Method | NativeKind::Raw => Found::Method(value),
+                NativeKind::Function | NativeKind::StaticMethod => Found::Value(value),
+                NativeKind::ClassMethod => Found::Value(self.bind_method(value, Value::Class(class))),
+                NativeKind::Getter => Found::Value(self.call_getter(native, object)?),
+            },
+            Value::Property(_) | Value::ClassMethod(_) | Value::StaticMethod(_) | Value::Instance(_) => {
+                Found::Value(self.bind_value(value, object, class)?)
+            }
+            other => Found::Value(other),
+        })
+    }
+
+    fn call_getter(&mut self, native: &'static Native, object: Value) -> R<Value> {
+        let receiver = self.plain(object);
+        (native.body)(self, Args::new(&[receiver]))
+    }
+
+    /// A class attribute bound to an instance.
+    pub(crate) fn bind_value(&mut self, value: Value, object: Value, class: Ref<Class>) -> R<Value> {
+        match value {
+            Value::Function(_) => Ok(self.bind_method(value, object)),
+            Value::Native(native) => match native.kind {
+                NativeKind::Method | NativeKind::Raw => Ok(self.bind_method(value, object)),
+                NativeKind::Function | NativeKind::StaticMethod => Ok(value),
+                NativeKind::ClassMethod => Ok(self.bind_method(value, Value::Class(class))),
+                NativeKind::Getter => self.call_getter(native, object),
+            },
+            Value::ClassMethod(w) => self.bind_class_method(w, class),
+            Value::StaticMethod(w) => Ok(self.heap[w].0),
+            Value::Property(p) => self.get_property(p, object),
+            Value::Instance(i) => {
+                if let Base::Value(Value::Property(p)) = self.heap[i].base {
+                    return self.get_property(p, object);
+                }
+                let owner = self.heap[i].class;
+                match self.class_attr(owner, sym::GET) {
+                    Some(get) => self.call_unbound(get, value, &[object, Value::Class(class)]),
+                    None => Ok(value),
+                }
+            }
+            other => Ok(other),
+        }
+    }
+
+    fn bind_class_method(&mut self, w: Ref<Wrapped>, class: Ref<Class>) -> R<Value> {
+        let inner = self.heap[w].0;
+        Ok(match inner {
+            Value::Function(_) | Value::Native(_) | Value::Method(_) => self.bind_method(inner, Value::Class(class)),
+            Value::Property(p) => return self.get_property(p, Value::Class(class)),
+            _ => self.bind_method(inner, Value::Class(class)),
+        })
+    }
+
+    fn get_property(&mut self, p: Ref<Property>, object: Value) -> R<Value> {
+        let get = self.heap[p].get;
+        if get.is_none() {
+            let message = format!("property of '{}' object has no getter", self.type_name(object));
+            return Err(self.error(Builtin::AttributeError, message));
+        }
+        self.call(get, &[object])
+    }
+
+    /// Calls a function found on a class with its receiver.
+    pub(super) fn call_unbound(&mut self, function: Value, receiver: Value, args: &[Value]) -> R<Value> {
+        match function {
+            Value::Function(_) | Value::Native(_) => {
+                let mut all = smallvec::SmallVec::<[Value; 6]>::new();
+                all.push(receiver);
+                all.extend_from_slice(args);
+                self.call(function, &all)
+            }
+            other => {
+                let class = self.class_of(receiver);
+                let bound = self.bind_value(other, receiver, class)?;
+                self.call(bound, args)
+            }
+        }
+    }
+
+    /// The special method of an object, looked up on its type and bound; `None` where there is none (or it is `None`).
+    pub fn special(&mut self, object: Value, name: Symbol) -> Option<Value> {
+        let class = self.class_of(object);
+        let found = self.class_attr(class, name)?;
+        if found.is_none() {
+            return None;
+        }
+        self.bind_value(found, object, class).ok()
+    }
+
+    /// Calls a special method where the type has it.
+    pub fn call_special(&mut self, object: Value, name: Symbol, args: &[Value]) -> R<Option<Value>> {
+        let class = self.class_of(object);
+        match self.class_attr(class, name) {
+            Some(function) if !function.is_none() => self.call_unbound(function, object, args).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    /// `o.name(...)`
+    pub fn call_method(&mut self, object: Value, name: Symbol, args: &[Value]) -> R<Value> {
+        match self.find_attr(object, name)? {
+            Some(Found::Value(v)) => self.call(v, args),
+            Some(Found::Method(function)) => self.call_unbound(function, object, args),
+            None => Err(self.no_attribute(object, name)),
+        }
+    }
+
+    fn find_module_attr(&mut self, m: Ref<Module>, name: Symbol) -> R<Option<Found>> {
+        if let Some(&slot) = self.heap[m].index.get(&name) {
+            let value = self.heap[m].slots[slot as usize];
+            if !value.is_undefined() {
+                return Ok(Some(Found::Value(value)));
+            }
+        }
+        Ok(match name {
+            sym::NAME => Some(Found::Value(self.heap[m].name)),
+            sym::DICT => {
+                let dict = self.module_dict(m);
+                Some(Found::Value(Value::Dict(dict)))
+            }
+            sym::CLASS => Some(Found::Value(Builtin::Module.value())),
+            sym::DOC => Some(Found::Value(Value::None)),
+            _ => None,
+        })
+    }
+
+    /// A fresh dict of a module's globals.
+    pub fn module_dict(&mut self, m: Ref<Module>) -> Ref<Dict> {
+        let items: Vec<(Symbol, Value)> = {
+            let module = &self.heap[m];
+            module.names.iter().copied().zip(module.slots.iter().copied()).filter(|p| !p.1.is_undefined()).collect()
+        };
+        self.symbols_dict(items)
+    }
+
+    fn find_host_attr(&mut self, object: Value, name: Symbol) -> R<Option<Found>> {
+        if name == sym::CLASS {
+            let class = self.class_of(object);
+            return Ok(Some(Found::Value(Value::Class(class))));
+        }
+        let text = self.symbols.text(name).to_string();
+        let (host, mut cx) = self.host_cx();
+        Ok(host.get_attr(&mut cx, object, &text)?.map(Found::Value))
+    }
+
+    fn find_alias_attr(&mut self, a: Ref<Alias>, object: Value, name: Symbol) -> R<Option<Found>> {
+        let origin = self.heap[a].origin;
+        Ok(match name {
+            sym::ORIGIN if !origin.is_none() => Some(Found::Value(origin)),
+            sym::ARGS => {
+                let args = self.heap[a].args.clone();
+                Some(Found::Value(self.heap.tuple(args)))
+            }
+            sym::CLASS => Some(Found::Value(Value::Class(self.class_of(object)))),
+            sym::MRO_ENTRIES => return self.find_builtin_attr(object, name),
+            _ if origin.is_none() => return self.find_builtin_attr(object, name),
+            _ => return self.find_attr(origin, name),
+        })
+    }
+
+    fn find_method_attr(&mut self, object: Value, m: Ref<Method>, name: Symbol) -> R<Option<Found>> {
+        let Method { callee, receiver } = self.heap[m];
+        match name {
+            sym::FUNC => Ok(Some(Found::Value(callee))),
+            sym::SELF => Ok(Some(Found::Value(receiver))),
+            sym::CLASS => self.find_builtin_attr(object, name),
+            _ => self.find_attr(callee, name),
+        }
+    }
+
+    fn find_super_attr(&mut self, s: Ref<Super>, name: Symbol) -> R<Option<Found>> {
+        let Super { class, object, object_class } = self.heap[s];
+        if name == sym::CLASS {
+            return Ok(Some(Found::Value(Builtin::Super.value())));
+        }
+        let mro = self.heap[object_class].mro.clone();
+        let start = mro.iter().position(|c| *c == class).map_or(0, |p| p + 1);
+        for &base in &mro[start..] {
+            if !self.heap[base].natives.is_empty() {
+                self.load_natives(base);
+            }
+            let Some(value) = self.heap[base].attrs.get(&name).copied() else { continue };
+            let on_class = matches!(object, Value::Class(c) if self.is_subclass(c, class));
+            return if on_class {
+                self.bind_on_class(value, object_class).map(Some)
+            } else {
+                self.bind_found_for_super(value, object, object_class)
+            };
+        }
+        Ok(None)
+    }
+
+    /// `super().method` is called with the object itself, not with the `super`.
+    fn bind_found_for_super(&mut self, value: Value, object: Value, class: Ref<Class>) -> R<Option<Found>> {
+        Ok(Some(match self.bind_found(value, object, class)? {
+            Found::Method(callee) => Found::Value(self.bind_method(callee, object)),
+            found => found,
+        }))
+    }
+}

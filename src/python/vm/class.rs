@@ -1,0 +1,408 @@
+//! Classes: making them, their attributes, their order of resolution.
+
+use super::Vm;
+use super::attr::Found;
+use crate::python::classes::Builtin;
+use crate::python::error::R;
+use crate::python::heap::*;
+use crate::python::native::{Args, NativeKind};
+use crate::python::symbols::sym;
+use crate::python::value::{Symbol, Value};
+use smallvec::SmallVec;
+
+impl Vm<'_> {
+    /// `__name__` of a class.
+    pub fn class_name(&self, class: Ref<Class>) -> String {
+        self.display(self.heap[class].name)
+    }
+
+    /// `issubclass` without hooks.
+    #[inline]
+    pub fn is_subclass(&self, class: Ref<Class>, of: Ref<Class>) -> bool {
+        class == of || self.heap[class].mro.contains(&of)
+    }
+
+    /// `C.name`
+    pub(super) fn find_type_attr(&mut self, class: Ref<Class>, name: Symbol) -> R<Option<Found>> {
+        let meta = self.heap[class].meta;
+        let on_meta = self.class_attr(meta, name);
+        if let Some(value) = on_meta
+            && matches!(value, Value::Property(_))
+        {
+            return self.bind_value(value, Value::Class(class), meta).map(|v| Some(Found::Value(v)));
+        }
+        if let Some(value) = self.type_slot(class, name) {
+            return Ok(Some(Found::Value(value)));
+        }
+        if let Some(value) = self.class_attr(class, name) {
+            return self.bind_on_class(value, class).map(Some);
+        }
+        if let Some(value) = on_meta {
+            return self.bind_value(value, Value::Class(class), meta).map(|v| Some(Found::Value(v)));
+        }
+        if name == sym::ANNOTATIONS && !self.heap[class].builtin {
+            let dict = Value::Dict(self.heap.dict());
+            self.heap[class].attrs.insert(name, dict);
+            self.attr_cache.clear();
+            return Ok(Some(Found::Value(dict)));
+        }
+        if name == sym::DOC {
+            return Ok(Some(Found::Value(Value::None)));
+        }
+        match self.class_attr(meta, sym::GETATTR) {
+            Some(hook) => {
+                let text = self.symbol_text(name);
+                self.call_unbound(hook, Value::Class(class), &[text]).map(|v| Some(Found::Value(v)))
+            }
+            None => Ok(None),
+        }
+    }
+
+    /// The attributes that `type` itself computes.
+    fn type_slot(&mut self, class: Ref<Class>, name: Symbol) -> Option<Value> {
+        Some(match name {
+            sym::NAME => self.heap[class].name,
+            sym::QUALNAME => self.heap[class].qualname,
+            sym::MODULE if self.heap[class].builtin => self.heap.str("builtins"),
+            sym::CLASS => Value::Class(self.heap[class].meta),
+            sym::MRO => {
+                let mro: Vec<Value> = self.heap[class].mro.iter().map(|c| Value::Class(*c)).collect();
+                self.heap.tuple(mro)
+            }
+            sym::BASES => {
+                let bases: Vec<Value> = self.heap[class].bases.iter().map(|c| Value::Class(*c)).collect();
+                self.heap.tuple(bases)
+            }
+            sym::DICT => {
+                self.load_natives(class);
+                let items: Vec<(Symbol, Value)> = self.heap[class].attrs.iter().map(|(k, v)| (*k, *v)).collect();
+                let dict = self.symbols_dict(items);
+                Value::Proxy(self.heap.alloc(Wrapped(Value::Dict(dict))))
+            }
+            sym::DOC => self.heap[class].attrs.get(&sym::DOC).copied()?,
+            sym::ANNOTATIONS => self.heap[class].attrs.get(&sym::ANNOTATIONS).copied()?,
+            _ => return None,
+        })
+    }
+
+    /// What a class attribute becomes when the class itself is asked for it.
+    pub(super) fn bind_on_class(&mut self, value: Value, class: Ref<Class>) -> R<Found> {
+        Ok(Found::Value(match value {
+            Value::ClassMethod(_) => self.bind_value(value, Value::Class(class), class)?,
+            Value::StaticMethod(w) => self.heap[w].0,
+            Value::Native(n) if n.kind == NativeKind::ClassMethod => self.bind_method(value, Value::Class(class)),
+            Value::Instance(i) => {
+                let owner = self.heap[i].class;
+                match self.class_attr(owner, sym::GET) {
+                    Some(get) => self.call_unbound(get, value, &[Value::None, Value::Class(class)])?,
+                    None => value,
+                }
+            }
+            other => other,
+        }))
+    }
+
+    /// `C.name = value`
+    pub(super) fn set_type_attr(&mut self, class: Ref<Class>, name: Symbol, value: Value) -> R<()> {
+        if self.heap[class].builtin {
+            let text = self.symbols.text(name).to_string();
+            let message = format!("cannot set '{text}' attribute of immutable type '{}'", self.class_name(class));
+            return Err(self.type_error(message));
+        }
+        match (name, value) {
+            (sym::NAME, Value::Str(_)) => self.heap[class].name = value,
+            (sym::QUALNAME, Value::Str(_)) => self.heap[class].qualname = value,
+            (sym::BASES, _) => return Err(self.type_error("__bases__ assignment is not available in PSDL")),
+            _ => {
+                self.heap[class].attrs.insert(name, value);
+            }
+        }
+        self.attr_cache.clear();
+        Ok(())
+    }
+
+    /// `__build_class__(body, name, *bases, metaclass=…, **keywords)`
+    pub(super) fn build_class(&mut self, args: Args<'_>) -> R<Value> {
+        let (body, name) = (args.at(0), args.at(1));
+        let original = &args.pos[2..];
+        let bases = self.resolve_bases(original)?;
+        let mut keywords: SmallVec<[(Symbol, Value); 4]> = args.kw.iter().copied().collect();
+        let explicit = keywords.iter().position(|k| k.0 == sym::N_METACLASS).map(|p| keywords.remove(p).1);
+        let meta = self.metaclass(explicit, &bases)?;
+        let bases_tuple = self.heap.tuple(bases.as_slice());
+        let namespace = self.prepare_namespace(meta, name, bases_tuple, &keywords)?;
+        let Value::Function(body) = body else { return Err(self.type_error("__build_class__: func must be a function")) };
+        self.run_class_body(body, namespace)?;
+        let as_written = original.len() == bases.len() && original.iter().zip(&bases).all(|(a, b)| a.is(*b));
+        if !as_written {
+            let tuple = self.heap.tuple(original);
+            let key = self.symbols.intern("__orig_bases__");
+            let key = self.symbol_text(key);
+            self.set_item(namespace, key, tuple)?;
+        }
+        let cell = self.namespace_get(namespace, sym::CLASSCELL)?;
+        let class = self.call_with(meta, Args { pos: &[name, bases_tuple, namespace], kw: &keywords })?;
+        if let (Some(Value::Cell(cell)), Value::Class(_)) = (cell, class) {
+            self.heap[cell].0 = class;
+        }
+        Ok(class)
+    }
+
+    /// Bases with `__mro_entries__` asked (`Generic[T]`).
+    fn resolve_bases(&mut self, original: &[Value]) -> R<SmallVec<[Value; 3]>> {
+        let mut out = SmallVec::new();
+        for &base in original {
+            match base {
+                Value::Class(_) => out.push(base),
+                Value::Alias(a) if !self.heap[a].origin.is_none() => out.push(self.heap[a].origin),
+                _ => match self.get_attr_opt(base, sym::MRO_ENTRIES)? {
+                    Some(hook) => {
+                        let tuple = self.heap.tuple(original);
+                        let entries = self.call(hook, &[tuple])?;
+                        out.extend(self.collect(entries)?);
+                    }
+                    None => out.push(base),
+                },
+            }
+        }
+        Ok(out)
+    }
+
+    fn metaclass(&mut self, explicit: Option<Value>, bases: &[Value]) -> R<Value> {
+        let mut winner = match explicit {
+            Some(Value::Class(c)) if self.is_subclass(c, Builtin::Type.class()) => c,
+            Some(callable) => return Ok(callable),
+            None => Builtin::Type.class(),
+        };
+        for base in bases {
+            let Value::Class(base) = *base else {
+                let meta = self.class_of(*base);
+                return Ok(Value::Class(meta));
+            };
+            let meta = self.heap[base].meta;
+            if self.is_subclass(winner, meta) {
+                continue;
+            }
+            if !self.is_subclass(meta, winner) {
+                return Err(self.type_error(
+                    "metaclass conflict: the metaclass of a derived class must be a (non-strict) subclass of the metaclasses of all its bases",
+                ));
+            }
+            winner = meta;
+        }
+        Ok(Value::Class(winner))
+    }
+
+    fn prepare_namespace(&mut self, meta: Value, name: Value, bases: Value, keywords: &[(Symbol, Value)]) -> R<Value> {
+        match self.get_attr_opt(meta, sym::PREPARE)? {
+            Some(prepare) => self.call_with(prepare, Args { pos: &[name, bases], kw: keywords }),
+            None => Ok(Value::Dict(self.heap.dict())),
+        }
+    }
+
+    /// A name of a class body's namespace.
+    pub(super) fn namespace_get(&mut self, namespace: Value, name: Symbol) -> R<Option<Value>> {
+        let key = self.symbol_text(name);
+        match namespace {
+            Value::Dict(d) => self.dict_get(d, key),
+            _ => match self.get_item(namespace, key) {
+                Ok(v) => Ok(Some(v)),
+                Err(raise) if self.raised(&raise, Builtin::KeyError) => Ok(None),
+                Err(raise) => Err(raise),
+            },
+        }
+    }
+
+    /// `type(name, bases, namespace, **keywords)`: what `type.__new__` does.
+    pub fn new_class(&mut self, meta: Ref<Class>, name: Value, bases: Value, namespace: Value, keywords: &[(Symbol, Value)]) -> R<Value> {
+        let Value::Str(_) = self.plain(name) else {
+            let message = format!("type.__new__() argument 1 must be str, not {}", self.type_name(name));
+            return Err(self.type_error(message));
+        };
+        let mut base_classes: SmallVec<[Ref<Class>; 1]> = SmallVec::new();
+        for base in self.collect(bases)? {
+            match base {
+                Value::Class(c) => base_classes.push(c),
+                _ => return Err(self.type_error("bases must be types")),
+            }
+        }
+        if base_classes.is_empty() {
+            base_classes.push(Builtin::Object.class());
+        }
+        let bases_values: SmallVec<[Value; 3]> = base_classes.iter().map(|c| Value::Class(*c)).collect();
+        let meta = match self.metaclass(Some(Value::Class(meta)), &bases_values)? {
+            Value::Class(c) => c,
+            _ => meta,
+        };
+        let layout = self.common_layout(&base_classes)?;
+        let mro = self.linearize(&base_classes)?;
+        let class = self.heap.alloc(Class {
+            name: self.plain(name),
+            qualname: name,
+            bases: base_classes.clone(),
+            mro,
+            attrs: Default::default(),
+            meta,
+            layout,
+            natives: &[],
+            builtin: false,
+            slots: None,
+            subclasses: Vec::new(),
+        });
+        self.heap[class].mro.insert(0, class);
+        for base in &base_classes {
+            self.heap[*base].subclasses.push(class);
+        }
+        self.fill_namespace(class, namespace)?;
+        self.make_slots(class)?;
+        self.announce_class(class, keywords)?;
+        Ok(Value::Class(class))
+    }
+
+    fn fill_namespace(&mut self, class: Ref<Class>, namespace: Value) -> R<()> {
+        let Value::Dict(dict) = self.plain(namespace) else {
+            return Err(self.type_error(format!("type.__new__() argument 3 must be dict, not {}", self.type_name(namespace))));
+        };
+        let items: Vec<(Value, Value)> = self.heap[dict].0.iter().map(|e| (e.key, e.value)).collect();
+        for (key, value) in items {
+            let Value::Str(key) = key else { continue };
+            let text = self.heap[key].text.clone();
+            let name = self.symbols.intern(&text);
+            match name {
+                sym::QUALNAME => self.heap[class].qualname = value,
+                sym::CLASSCELL => {
+                    if let Value::Cell(cell) = value {
+                        self.heap[cell].0 = Value::Class(class);
+                    }
+                }
+                // These are class methods whether or not the program says so.
+                sym::INIT_SUBCLASS | sym::CLASS_GETITEM if matches!(value, Value::Function(_)) => {
+                    let wrapped = Value::ClassMethod(self.heap.alloc(Wrapped(value)));
+                    self.heap[class].attrs.insert(name, wrapped);
+                }
+                sym::NEW if matches!(value, Value::Function(_)) => {
+                    let wrapped = Value::StaticMethod(self.heap.alloc(Wrapped(value)));
+                    self.heap[class].attrs.insert(name, wrapped);
+                }
+                _ => {
+                    self.heap[class].attrs.insert(name, value);
+                }
+            }
+        }
+        let has_eq = self.heap[class].attrs.contains_key(&sym::EQ);
+        if has_eq && !self.heap[class].attrs.contains_key(&sym::HASH) {
+            self.heap[class].attrs.insert(sym::HASH, Value::None);
+        }
+        if !self.heap[class].attrs.contains_key(&sym::MODULE) {
+            let name = match self.frame_module_name() {
+                Some(name) => name,
+                None => self.heap.str("__main__"),
+            };
+            self.heap[class].attrs.insert(sym::MODULE, name);
+        }
+        if !self.heap[class].attrs.contains_key(&sym::DOC) {
+            self.heap[class].attrs.insert(sym::DOC, Value::None);
+        }
+        self.attr_cache.clear();
+        Ok(())
+    }
+
+    /// `__slots__`: which names the instances may have, where no base gives them a `__dict__`.
+    fn make_slots(&mut self, class: Ref<Class>) -> R<()> {
+        let Some(spec) = self.heap[class].attrs.get(&sym::SLOTS).copied() else { return Ok(()) };
+        let names = match self.plain(spec) {
+            Value::Str(_) => vec![spec],
+            _ => self.collect(spec)?,
+        };
+        let mut slots = Vec::new();
+        for name in names {
+            let Value::Str(s) = self.plain(name) else {
+                let message = format!("__slots__ items must be strings, not '{}'", self.type_name(name));
+                return Err(self.type_error(message));
+            };
+            let text = self.heap[s].text.clone();
+            let symbol = self.symbols.intern(&text);
+            if self.heap[class].attrs.contains_key(&symbol) && symbol != sym::SLOTS {
+                return Err(self.value_error(format!("'{text}' in __slots__ conflicts with class variable")));
+            }
+            slots.push(symbol);
+        }
+        let bases = self.heap[class].bases.clone();
+        let mut closed = !slots.contains(&sym::DICT);
+        for base in bases {
+            let base = &self.heap[base];
+            match &base.slots {
+                Some(inherited) => slots.extend(inherited.iter().copied()),
+                None if base.builtin => {}
+                None => closed = false,
+            }
+        }
+        if closed {
+            self.heap[class].slots = Some(slots);
+        }
+        Ok(())
+    }
+
+    /// `__set_name__` of the attributes, then `__init_subclass__` of the parent.
+    fn announce_class(&mut self, class: Ref<Class>, keywords: &[(Symbol, Value)]) -> R<()> {
+        let attrs: Vec<(Symbol, Value)> = self.heap[class].attrs.iter().map(|(k, v)| (*k, *v)).collect();
+        for (name, value) in attrs {
+            if !matches!(value, Value::Instance(_)) {
+                continue;
+            }
+            let text = self.symbol_text(name);
+            self.call_special(value, sym::SET_NAME, &[Value::Class(class), text])?;
+        }
+        let parent = Value::Super(self.heap.alloc(Super { class, object: Value::Class(class), object_class: class }));
+        let hook = self.get_attr(parent, sym::INIT_SUBCLASS)?;
+        self.call_with(hook, Args { pos: &[], kw: keywords })?;
+        Ok(())
+    }
+
+    /// Which builtin value the instances hold: the bases must agree.
+    fn common_layout(&mut self, bases: &[Ref<Class>]) -> R<Layout> {
+        let mut layout = Layout::Object;
+        for &base in bases {
+            let own = self.heap[base].layout;
+            if own == Layout::Sealed {
+                let message = format!("type '{}' is not an acceptable base type", self.class_name(base));
+                return Err(self.type_error(message));
+            }
+            if own != Layout::Object && layout != Layout::Object && own != layout {
+                return Err(self.type_error("multiple bases have instance lay-out conflict"));
+            }
+            if own != Layout::Object {
+                layout = own;
+            }
+        }
+        Ok(layout)
+    }
+
+    /// The C3 linearization of the bases (without the class itself).
+    fn linearize(&mut self, bases: &[Ref<Class>]) -> R<Vec<Ref<Class>>> {
+        for (i, base) in bases.iter().enumerate() {
+            if bases[..i].contains(base) {
+                let message = format!("duplicate base class {}", self.class_name(*base));
+                return Err(self.type_error(message));
+            }
+        }
+        let mut lists: Vec<Vec<Ref<Class>>> = bases.iter().map(|b| self.heap[*b].mro.clone()).collect();
+        lists.push(bases.to_vec());
+        let mut out = Vec::new();
+        while lists.iter().any(|l| !l.is_empty()) {
+            let next = lists.iter().filter_map(|l| l.first().copied()).find(|c| !lists.iter().any(|l| l.iter().skip(1).any(|x| x == c)));
+            let Some(next) = next else {
+                let names: Vec<String> = bases.iter().map(|b| self.class_name(*b)).collect();
+                let message = format!("Cannot create a consistent method resolution\norder (MRO) for bases {}", names.join(", "));
+                return Err(self.type_error(message));
+            };
+            out.push(next);
+            for list in &mut lists {
+                if list.first() == Some(&next) {
+                    list.remove(0);
+                }
+            }
+        }
+        Ok(out)
+    }
+}
