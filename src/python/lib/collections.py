@@ -105,7 +105,7 @@ _showing = set()
 
 
 class defaultdict(dict):
-    __slots__ = ("default_factory", "__dict__")
+    __slots__ = ("default_factory",)
     __class_getitem__ = classmethod(_GenericAlias)
 
     def __init__(self, default_factory=None, /, *args, **kwargs):
@@ -265,7 +265,7 @@ def namedtuple(typename, field_names, *, rename=False, defaults=None, module=Non
 class deque:
     """Two stacks, back to back: `_front` holds the first items, the very first one last."""
 
-    __slots__ = ("_front", "_back", "_maxlen", "_version", "__dict__")
+    __slots__ = ("_front", "_back", "_maxlen", "_version")
     _match_sequence_ = True
     __class_getitem__ = classmethod(_GenericAlias)
     __hash__ = None

@@ -32,26 +32,29 @@ _DEFAULT_STATE = getattr(object, "__getstate__", None)
 
 
 def _state(x):
-    """The instance's attributes, in `__dict__` and in slots."""
+    """The instance's attributes as `__getstate__` gives them: a dict, None where there are none, or that and the slots."""
     own = getattr(type(x), "__getstate__", None)
     if own is not None and own is not _DEFAULT_STATE:
-        state = x.__getstate__()
-        return state if isinstance(state, tuple) else (state, {})
-    state = {}
-    for name in _slots(type(x)):
-        if hasattr(x, name):
-            state[name] = getattr(x, name)
-    return getattr(x, "__dict__", None), state
+        return x.__getstate__()
+    slots = {name: getattr(x, name) for name in _slots(type(x)) if hasattr(x, name)}
+    attributes = getattr(x, "__dict__", None) or None
+    return (attributes, slots) if slots else attributes
 
 
-def _restore(y, attributes, slots):
-    if hasattr(y, "__setstate__"):
-        y.__setstate__((attributes, slots) if slots else attributes)
+def _restore(y, state):
+    if state is None:
         return
-    if attributes:
-        y.__dict__.update(attributes)
-    for name, value in slots.items():
-        object.__setattr__(y, name, value)
+    if hasattr(y, "__setstate__"):
+        y.__setstate__(state)
+        return
+    slots = None
+    if isinstance(state, tuple) and len(state) == 2:
+        state, slots = state
+    if state is not None:
+        y.__dict__.update(state)
+    if slots is not None:
+        for name, value in slots.items():
+            object.__setattr__(y, name, value)
 
 
 def _blank(x, cls, convert):
@@ -99,8 +102,7 @@ def copy(x):
     if cls in _REFUSED:
         raise TypeError(f"cannot pickle {cls.__name__!r} object")
     y = _blank(x, cls, _same)
-    attributes, slots = _state(x)
-    _restore(y, attributes, slots)
+    _restore(y, _state(x))
     _fill(x, y, _same)
     return y
 
@@ -160,9 +162,6 @@ def _deep_instance(x, cls, memo, key):
         return cls(x.__func__, convert(x.__self__))
     y = _blank(x, cls, convert)
     memo[key] = y
-    attributes, slots = _state(x)
-    if attributes:
-        attributes = convert(attributes)
-    _restore(y, attributes, {name: convert(value) for name, value in slots.items()})
+    _restore(y, convert(_state(x)))
     _fill(x, y, convert)
     return y

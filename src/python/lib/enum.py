@@ -161,15 +161,21 @@ class EnumDict(dict):
             value = self._next(key, value)
         elif type(value) is tuple and any(isinstance(v, auto) for v in value):
             value = tuple([self._next(key, v) if isinstance(v, auto) else v for v in value])
+        else:
+            self._last_values.append(value)
         self._member_names[key] = None
-        self._last_values.append(value)
         return value
 
     def _next(self, key, value):
         if value.value is _UNSET:
             value.value = self._generate_next_value(key, 1, len(self._member_names), self._last_values[:])
             self._auto_called = True
+        self._last_values.append(value.value)
         return value.value
+
+    def update(self, members=(), /, **more):
+        for key, value in dict(members, **more).items():
+            self[key] = value
 
 
 class _Pending:
@@ -271,15 +277,8 @@ def _data_repr(bases):
             if isinstance(base, EnumType):
                 return base._value_repr_
             if base is not object and base not in _DATA_TYPES and "__repr__" in base.__dict__:
-                if "__dataclass_fields__" in base.__dict__ and base.__dict__["__dataclass_params__"].repr:
-                    return _dataclass_repr
                 return base.__dict__["__repr__"]
     return None
-
-
-def _dataclass_repr(self):
-    fields = type(self).__dataclass_fields__
-    return ", ".join([f"{name}={getattr(self, name)!r}" for name, field in fields.items() if field.repr])
 
 
 def _find_new(namespace, member_type, first_enum):
@@ -539,6 +538,8 @@ class Enum(metaclass=EnumType):
 
 def _looked_for(cls, value):
     """Asks `_missing_` for a value that no member has."""
+    if not cls._member_map_:
+        raise TypeError(f"{cls!r} has no members defined")
     error = result = None
     try:
         result = cls._missing_(value)
@@ -570,9 +571,11 @@ class StrEnum(str, ReprEnum):
     def __new__(cls, *values):
         if len(values) > 3:
             raise TypeError(f"too many arguments for str(): {values!r}")
-        for what, given in zip(("", "encoding must be a string, not ", "errors must be a string, not "), values):
+        if len(values) == 1 and not isinstance(values[0], str):
+            raise TypeError(f"{values[0]!r} is not a string")
+        for what, given in zip(("encoding", "errors"), values[1:]):
             if not isinstance(given, str):
-                raise TypeError(f"{what}{given!r}" if what else f"{given!r} is not a string")
+                raise TypeError(f"{what} must be a string, not {given!r}")
         made = str.__new__(cls, str(*values))
         made._value_ = str(*values)
         return made
