@@ -10,10 +10,11 @@
 //!   run can be replayed with another literal.
 //! - Sizes are set in stone: they are plain numbers once an object exists.
 //!
-//! Knows `trace`. Knows nothing of Python, layout errors, editors or files.
+//! Knows `trace`; [`host`] alone knows Python. Knows nothing of layout errors, editors or files.
 
 mod error;
 mod frame;
+pub mod host;
 mod json;
 mod layout;
 pub mod names;

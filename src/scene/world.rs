@@ -273,6 +273,11 @@ impl World {
         }
     }
 
+    /// Object, door or window.
+    pub fn kind(&self, id: ObjectId) -> Kind {
+        self.things[id.index()].kind
+    }
+
     /// What holds it up; the scene stands.
     pub fn support(&self, target: Target) -> Support {
         match target {

@@ -1,0 +1,5 @@
+import random
+
+
+def random_direction():
+    return random.randint(0, 3)
