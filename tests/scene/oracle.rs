@@ -1,8 +1,9 @@
 //! Thousands of random scripts of scene calls mean the same here and in the reference implementation.
 //!
-//! `PSDL_ORACLE` names the folder of oracle.py; without it, or without python3, there is nothing to compare with.
+//! `PSDL_ORACLE` names oracle.py or its folder; without it, or without python3, there is nothing to compare with.
 
 use std::io::Write as _;
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 use proptest::prelude::*;
@@ -247,10 +248,11 @@ fn compare(calls: &[Value], theirs: &Value) {
 #[test]
 #[allow(clippy::print_stdout, reason = "a skipped test says so")]
 fn random_scripts_mean_what_the_reference_says() {
-    let Some(folder) = std::env::var_os("PSDL_ORACLE") else {
-        println!("skipped: PSDL_ORACLE does not name the folder of oracle.py");
+    let Some(oracle) = std::env::var_os("PSDL_ORACLE").map(PathBuf::from) else {
+        println!("skipped: PSDL_ORACLE does not name oracle.py");
         return;
     };
+    let folder = if oracle.is_dir() { oracle } else { oracle.parent().expect("a folder").to_owned() };
     let mut runner = TestRunner::deterministic();
     let scripts: Vec<Vec<Value>> = (0..SCRIPTS).map(|_| script().new_tree(&mut runner).expect("a script").current()).collect();
     let driver = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/scene/driver.py");
