@@ -3,8 +3,10 @@
 //! Data flows one way, `syntax` → `trace`/`python` → `scene` → `check` → `report`, with the faces
 //! (`cli`) at the end. A module knows only the modules above it in this list. See `ARCHITECTURE.md`.
 
+pub mod analysis;
 pub mod check;
 pub mod cli;
+pub mod config;
 pub mod python;
 pub mod report;
 pub mod scene;

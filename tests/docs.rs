@@ -32,3 +32,9 @@ fn every_finding_has_its_page() {
         assert!(names.contains(&name), "docs/findings/{name} belongs to no finding");
     }
 }
+
+#[test]
+fn the_schema_of_the_configuration_is_shipped() {
+    let schema = serde_json::to_string_pretty(&psdl::config::schema()).expect("it is JSON") + "\n";
+    assert_current(Path::new("docs/psdl.schema.json"), &schema);
+}

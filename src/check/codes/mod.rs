@@ -108,9 +108,15 @@ impl FromStr for Code {
 
 /// The code whose name is the fewest letters away, if that is near enough to be meant.
 fn nearest(name: &str) -> Option<Code> {
+    let meant = nearest_of(name, all().map(|info| info.name))?;
+    all().find(|info| info.name == meant).map(|info| info.code)
+}
+
+/// The word that was probably meant: the one that is the fewest letters away, if that is near enough.
+pub fn nearest_of<'a>(name: &str, words: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let name: Vec<char> = name.chars().take(40).collect();
-    let (distance, info) = all().map(|info| (distance(&name, info.name), info)).min_by_key(|(distance, _)| *distance)?;
-    (distance <= 1 + name.len() / 4).then_some(info.code)
+    let (distance, word) = words.map(|word| (distance(&name, word), word)).min_by_key(|(distance, _)| *distance)?;
+    (distance <= 1 + name.len() / 4).then_some(word)
 }
 
 /// How many letters must be put in, left out or replaced to turn one word into the other.
