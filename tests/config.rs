@@ -31,7 +31,10 @@ fn the_nearest_file_above_holds_and_what_it_extends_under_it() {
     let files = [
         ("/psdl.toml", "[check]\ntolerance = 0.5"),
         ("/p/psdl.toml", "extend = \"base/strict.toml\"\n[check]\ntolerance = 0.02\n"),
-        ("/p/base/strict.toml", "[check]\ntolerance = 0.001\nwall-tolerance = 0.1\n[severity]\noverlap = \"warning\"\nunplaced = \"off\"\n"),
+        (
+            "/p/base/strict.toml",
+            "[check]\ntolerance = 0.001\nwall-tolerance = 0.1\n[severity]\noverlap = \"warning\"\nunplaced = \"off\"\n",
+        ),
     ];
     let resolved = resolve(&files, "/p/scenes/deep/a.psdl").unwrap();
     assert_eq!((resolved.options.rules.tolerance, resolved.options.rules.wall_tolerance), (0.02, 0.1));

@@ -4,8 +4,8 @@ use super::settings::{Range, Setting, Value, all};
 use crate::check::codes::nearest_of;
 use crate::check::finding::Severity;
 use ruff_text_size::{TextRange, TextSize};
-use toml::de::{DeTable, DeValue};
 use toml::Spanned;
+use toml::de::{DeTable, DeValue};
 
 /// After so many errors the rest is not worth reading.
 const MAX_PROBLEMS: usize = 50;
@@ -154,7 +154,9 @@ impl Reader {
     fn value(&mut self, index: usize, value: &Spanned<DeValue>) -> Option<Value> {
         let setting = &self.settings[index];
         let read = match (setting.range, value.get_ref()) {
-            (Range::Number(from, to), DeValue::Float(float)) => number(float.as_str()).filter(|n| (from..=to).contains(n)).map(Value::Number),
+            (Range::Number(from, to), DeValue::Float(float)) => {
+                number(float.as_str()).filter(|n| (from..=to).contains(n)).map(Value::Number)
+            }
             (Range::Number(from, to), DeValue::Integer(int)) => {
                 integer(int.as_str(), int.radix()).map(|n| n as f64).filter(|n| (from..=to).contains(n)).map(Value::Number)
             }

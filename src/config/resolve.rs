@@ -145,7 +145,11 @@ impl<'a> Resolver<'a> {
         while let Some((path, text)) = next.take() {
             let layer = Layer::new(path, &text)?;
             if let Some((extended, range)) = layer.parsed.extend.clone() {
-                let wrong = |message: String| ConfigError { path: layer.path.clone(), text: text.clone(), problems: vec![Problem { range, message }] };
+                let wrong = |message: String| ConfigError {
+                    path: layer.path.clone(),
+                    text: text.clone(),
+                    problems: vec![Problem { range, message }],
+                };
                 let other = normal(&layer.path.parent().unwrap_or(Path::new("")).join(extended));
                 if seen.contains(&other) || seen.len() >= MAX_EXTENDS {
                     return Err(wrong("files extend each other in a circle".into()));

@@ -2,8 +2,8 @@
 
 use super::settings::{Range, Setting, all};
 use crate::analysis::Options;
-use crate::config::settings::Value as SettingValue;
 use crate::check::finding::Severity;
+use crate::config::settings::Value as SettingValue;
 use serde_json::{Map, Value, json};
 
 /// The schema.
@@ -13,7 +13,10 @@ pub fn schema() -> Value {
     let mut overridden = properties.clone();
     overridden.insert("paths".into(), texts("Patterns as in .gitignore, relative to this file."));
     properties.insert("extend".into(), json!({"type": "string", "description": "Another file whose settings hold where this one says nothing else; relative to this file."}));
-    properties.insert("exclude".into(), texts("Programs that are left out when a folder is searched; patterns as in .gitignore, relative to this file."));
+    properties.insert(
+        "exclude".into(),
+        texts("Programs that are left out when a folder is searched; patterns as in .gitignore, relative to this file."),
+    );
     properties.insert(
         "override".into(),
         json!({
