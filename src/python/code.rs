@@ -4,18 +4,11 @@ use num_bigint::BigInt;
 use ruff_text_size::TextRange;
 
 use super::value::{BinaryOp, CompareOp, UnaryOp};
+pub use crate::syntax::{ConstantId, DirectionId};
 
 /// A code object within a run.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct CodeId(pub u32);
-
-/// A tunable literal of the program.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub struct ConstantId(pub u32);
-
-/// A direction site of the program.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub struct DirectionId(pub u32);
 
 /// One instruction of the stack machine. Comments show the stack before → after, top at the right.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -107,7 +100,7 @@ pub enum Op {
     BuildTuple(u32),
     BuildList(u32),
     BuildSet(u32),
-    /// k v k v … → dict
+    /// k v k v … → dict; the operand counts pairs
     BuildDict(u32),
     BuildString(u32),
     /// 2 or 3 parts
@@ -211,7 +204,7 @@ pub enum Op {
     MatchKeys,
     /// subject class names → tuple-or-None; the operand counts positional patterns, `names` is a tuple of the keywords that follow them
     MatchClass(u32),
-    /// dict keys → dict copied without the keys
+    /// subject keys → dict: a copy of the subject without the keys
     MatchRest,
     /// A facing is on top: another one where the run says so.
     Direction(DirectionId),
