@@ -105,7 +105,7 @@ pub struct Finding {
     pub severity: Severity,
     /// The statement to blame.
     pub place: Place,
-    /// One sentence, in plain words, with metres: "chairs[3] overlaps table by 0.32 m".
+    /// One sentence, in plain words, with metres: `chairs[3] overlaps table by 0.32 m`.
     pub message: String,
     /// Other places that matter.
     pub related: Vec<Related>,

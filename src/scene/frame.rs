@@ -45,14 +45,15 @@ impl Frame {
         }
     }
 
-    /// The world coordinate of a coordinate of this frame. An integer zero has no sign, so its negation has none either.
+    /// The world coordinate of a coordinate of this frame. The negation of an integer
+    /// zero has no sign.
     pub fn world<R: Arith + ?Sized>(&self, rec: &mut R, axis: Axis, value: Num, int: bool) -> Num {
         match self.along(axis) {
             None => value,
             Some((world, against)) => {
                 let signed = match against {
                     false => value,
-                    true if int && value.value == 0.0 => Num { value: 0.0, ..value },
+                    true if int => rec.sub(Num::plain(0.0), value),
                     true => rec.neg(value),
                 };
                 rec.add(self.origin[world], signed)

@@ -64,7 +64,7 @@ pub enum StepKind {
 /// How many calls and iterations are told apart; later ones are attributed to what is around them.
 const MAX_STEPS: usize = 1 << 18;
 
-/// The table of origins of a run. Equal origins have one entry; memory is bounded by the text and [`MAX_STEPS`].
+/// The table of origins of a run. Equal origins have one entry; memory is bounded by the text and a limit on steps.
 #[derive(Clone, Debug)]
 pub struct Origins {
     origins: Vec<Origin>,

@@ -1,7 +1,7 @@
 //! The scene as a program uses it: what each call means for what comes after.
 
 use super::*;
-use crate::trace::{Num, Plain};
+use crate::trace::{Num, Plain, Trace};
 
 const ORIGIN: OriginId = Origins::NOWHERE;
 
@@ -240,4 +240,56 @@ fn integers_stay_integers_where_python_keeps_them() {
     assert_eq!(object["center"].to_string(), "[2.0,2.0,2]");
     assert_eq!(object["anchors"].to_string(), r#"[["center","x",2.0],["center","y",2.0],["center","z",2]]"#);
     assert_eq!(json["scene"]["width"].to_string(), "8.0");
+}
+
+#[test]
+fn a_settling_is_one_decision_that_can_be_asked_again() {
+    let mut trace = Trace::recording(1_000);
+    let mut literal = |id, value| Num { value, handle: trace.literal(id, value) };
+    let (x, y) = (literal(0, 1.0), literal(1, -3.0));
+    let mut world = World::new();
+    let add = |world: &mut World, trace: &mut Trace, name| {
+        let (dims, support) = ([1.0, 0.5, 1.0].map(Given::from), Scalar::int(0).into());
+        world.add_object(trace, &NewObject { kind: Kind::Object, name, dims, support, color: None, dynamic: false }, ORIGIN)
+    };
+    let [table, chair] = ["Table", "Chair"].map(|name| add(&mut world, &mut trace, name).expect("a good object"));
+    let write = |world: &mut World, trace: &mut Trace, object, axis, value| {
+        world.write(trace, Target::Object(object), Anchor::Center, axis, &Scalar::from(value).into(), ORIGIN).expect("a good number");
+    };
+    write(&mut world, &mut trace, table, Axis::X, x);
+    write(&mut world, &mut trace, chair, Axis::Y, y);
+    let told = world.set_facing(&mut trace, chair, &FacingSpec::Toward(Target::Object(table)), ORIGIN);
+    told.expect("a good facing");
+    assert_eq!(world.facing(&mut trace, Target::Object(chair)), Cardinal::YMax);
+    let settling = trace.decisions().last().expect("the chair settled").clone();
+    let with = |x: f64, y: f64| {
+        move |num: Num| {
+            if num.value == 1.0 {
+                x
+            } else if num.value == -3.0 {
+                y
+            } else {
+                num.value
+            }
+        }
+    };
+    assert!(settling.holds(&with(1.0, -3.0)) && settling.holds(&with(2.0, -4.0)));
+    assert!(!settling.holds(&with(4.0, -3.0)), "the table moved so far to the right that the chair would face it there");
+    assert!(!settling.holds(&with(1.0, 3.0)), "the chair moved behind the table");
+}
+
+#[test]
+fn what_becomes_a_size_is_set_in_stone() {
+    let mut trace = Trace::recording(10);
+    let (width, gap) = (trace.literal(0, 2.0), trace.literal(1, 0.5));
+    let number = |value, handle| Given::Number(Num { value, handle }.into());
+    let mut world = World::new();
+    let dims = [number(2.0, width), 1.0.into(), 1.0.into()];
+    let new = NewObject { kind: Kind::Object, name: "Table", dims, support: Scalar::int(0).into(), color: None, dynamic: false };
+    let table = Target::Object(world.add_object(&mut trace, &new, ORIGIN).expect("a good object"));
+    world.write(&mut trace, table, Anchor::Min, Axis::X, &number(0.5, gap), ORIGIN).expect("a good number");
+    assert_eq!(trace.stone(), [width]);
+    assert!(world.dims(table)[0].num.handle.is_none());
+    let max = world.read(&mut trace, table, Anchor::Max, Axis::X).num;
+    assert_eq!((max.value, max.handle.is_none()), (2.5, false));
 }
