@@ -1,0 +1,41 @@
+print()
+print(1, "a", None, [1], 2.5, True, sep="|")
+print("no newline", end="")
+print("!", end="\n\n")
+print(1, 2, sep="")
+print("a", "b", sep=", ", end=".\n")
+print(*[1, 2, 3])
+print(*"abc", sep="\n")
+print(*[], end="empty\n")
+print("x", sep="ignored")
+print("tab\tnew\\n", 'quote"s', "it's")
+print("é ☃ 🙂 \u4e2d")
+print("a\nb")
+print(print("inner"))
+print("", "", sep="-")
+print("a", "b", sep=None, end=None)
+print("multi", "line\n", "text")
+class S:
+    def __str__(self): return "S!"
+    def __repr__(self): return "R!"
+print(S(), [S()], (S(),), {"k": S()}, {1: {2: [S()]}}, str(S()), repr(S()), f"{S()} {S()!r}", "%s %r" % (S(), S()), S().__str__())
+class R:
+    def __repr__(self): return "only repr"
+print(R(), [R()], str(R()))
+class E(Exception): pass
+print(E("msg"), repr(E("msg")), [E(1, 2)], E(), repr(E()))
+print({"a": "x", 1: None}, {"t": (1,)}, [[], {}, ()], [""], ["\n"], ("it's", 'q"q', "both'\""), [b"x"], [1.0, -0.0, 1e100], [True, None, ...])
+print(range(3), slice(1, 2), int, type(None), type(print), type(lambda: 0), Ellipsis, NotImplemented)
+print("a", flush=True)
+for bad in (lambda: print(sep=1), lambda: print("a", end=5), lambda: print(foo=1), lambda: print("a", "b", sep=[])):
+    try: bad()
+    except TypeError as e: print(e)
+print("long " * 20)
+print(1, end=" ")
+print(2, end=" ")
+print(3)
+print("a" "b", "c" + "d", "-" * 10)
+print(("tuple", 1), ["list"], {"set"}, frozenset({1}))
+print(0.1 + 0.2, 1e16, 1 / 3, 10 ** 20, -5 // 2)
+print(str(), str(None), str(1.0), str([1, "a"]), str((1,)), str({}), str(b"b"))
+print("end without newline", end="")

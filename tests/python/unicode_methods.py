@@ -1,0 +1,10 @@
+words = ["straße", "ÀÉÎ", "ǅungla", "ﬁne", "İstanbul", "ıI", "ΣΑΣ", "ὈΔΥΣΣΕΎΣ", "Ⅷ", "ⓐⓑ", "日本語", "русский ТЕКСТ", "ñandú", "x²", "½ cup", "१२३", "٣", "ß", "ŉ", "ΐ", "ﬃ", "Ω", "K", "Å", "ſ", "ǰ", "հայ", "𐐀𐐨", "\u1e9e", "ᾳ", "ῼ"]
+for w in words:
+    print(w, w.upper(), w.lower(), w.title(), w.capitalize(), w.swapcase(), w.casefold(), w.isalpha(), w.isupper(), w.islower(), w.istitle(), w.isdigit(), w.isdecimal(), w.isnumeric(), w.isalnum(), w.isidentifier(), len(w), len(w.upper()), len(w.encode()))
+print("é".center(5, "ü"), "日本".ljust(5, "。"), "x".rjust(4, "🙂"), "ａｂｃ".isascii(), "abc".isascii(), f"{'日本':>6}|", f"{'é':é^5}", "%5s|" % "ü", "日本語"[1], "🙂🙃"[::-1], "a🙂b".find("b"), "🙂".encode(), "ü".encode("latin-1"), "a\u0301"[::-1].encode(), sorted(["é", "e", "z", "Z", "ä", "a"]), max("aé🙂"), ord(max("aé🙂")), "ÀB".lower() == "àb", "ı".upper() == "I", "İ".lower() == "i̇", "ς".upper(), "Σ".lower(), "ΑΣ".lower(), "ΑΣ Β".lower(), "ΑΣΑ".lower(), "Σ".casefold() == "ς".casefold())
+print("a\u00a0b\u2003c\u3000d\u200be".split(), "x\u2028y\x85z\x1cw".splitlines(), "\u2003 a \u00a0".strip(), "１２３".isdigit(), int("１２３"), float("１.５"), int("१२"), "²".isdigit(), "²".isdecimal(), "½".isnumeric(), "五".isnumeric(), "Ⅷ".isnumeric(), "ªº".isalpha(), "_é1".isidentifier(), "1é".isidentifier(), "é-".isidentifier(), "\u0301a".isidentifier(), "\u2118".isidentifier(), "℮".isidentifier())
+for bad in ("²", "½", "五", "1२x"):
+    try: print(int(bad))
+    except ValueError as e: print(e)
+print("ñ" in "mañana", "ana" in "mañana", "mañana".replace("ñ", "n"), "mañana".count("a"), "naïve café".title(), "o'neil mc-donald 3d".title(), "ÉCOLE".capitalize(), "éCOLE".swapcase(), "ÿ".upper(), "µ".upper(), "ß".title(), "ß".swapcase(), "ŒUVRE".lower(), "\u0130".swapcase().encode(), "ͅ".upper(), "ǆ".upper(), "ǆ".title(), "Ǆ".lower(), "ǲ".swapcase())
+print("abc".translate({0x61: "ä", ord("b"): None}), "äöü".translate(str.maketrans("äöü", "aou")), str.maketrans({"é": "e"}), "é".isprintable(), "\u200b".isprintable(), "\x7f".isprintable(), " ".isprintable(), "\u00a0".isprintable(), "\ue000".isprintable(), "🙂".isprintable(), "\u0378".isprintable())
