@@ -5,11 +5,13 @@
 //! does anything to a traced number that is not in [`Op`] pins its value first. Knows nothing of Python or of scenes.
 
 mod arith;
+mod norm;
 mod op;
 
 use std::sync::Arc;
 
 pub use arith::{Arith, Decision, Plain};
+pub use norm::norm;
 pub use op::Op;
 
 /// The place of a number in the record of a run; [`Handle::NONE`] for a number that no tunable literal reaches.

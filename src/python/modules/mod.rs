@@ -6,6 +6,7 @@ use super::native::Native;
 use std::sync::Arc;
 
 pub mod itertools;
+pub mod math;
 pub mod random;
 
 /// What a native module binds a name to.
@@ -22,6 +23,7 @@ pub enum Item {
 pub fn native_module(name: &str) -> Option<&'static [(&'static str, Item)]> {
     match name {
         "itertools" => Some(itertools::ITEMS),
+        "math" => Some(math::ITEMS),
         _ => None,
     }
 }
