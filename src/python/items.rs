@@ -4,7 +4,7 @@ use super::classes::Builtin;
 use super::error::{R, Raise};
 use super::heap::*;
 use super::symbols::sym;
-use super::types::{list, range, slice};
+use super::types::{bytes, list, range, slice};
 use super::value::Value;
 use super::vm::Vm;
 use num_traits::ToPrimitive;
@@ -139,6 +139,7 @@ impl Vm<'_> {
                 None => Err(self.key_error(index)),
             },
             (Value::Str(r), _) => self.get_character(r, index),
+            (Value::Bytes(_) | Value::ByteArray(_), _) => bytes::get_item(self, object, index),
             (Value::Range(r), _) => range::get_item(self, r, index),
             (Value::Host(_) | Value::Record(_), _) => match self.host_items(object)? {
                 Some(items) => {
@@ -257,6 +258,7 @@ impl Vm<'_> {
                 }
             },
             Value::Dict(r) => self.dict_set(r, index, value),
+            Value::ByteArray(r) => bytes::set_item(self, r, index, value),
             Value::Instance(_) | Value::Class(_) => match self.special(object, sym::SETITEM).filter(|m| !m.is_none()) {
                 Some(method) if self.is_native(method) && !matches!(self.plain(object), Value::Instance(_) | Value::Class(_)) => {
                     let plain = self.plain(object);
@@ -286,6 +288,7 @@ impl Vm<'_> {
                     Ok(())
                 }
             },
+            Value::ByteArray(r) => bytes::del_item(self, r, index),
             Value::Dict(r) => match self.dict_remove(r, index)? {
                 Some(_) => Ok(()),
                 None => Err(self.key_error(index)),
@@ -332,6 +335,7 @@ impl Vm<'_> {
                     Err(self.type_error(format!("'in <string>' requires string as left operand, not {name}")))
                 }
             },
+            Value::Bytes(_) | Value::ByteArray(_) => bytes::contains(self, container, item),
             Value::Range(r) => range::contains(self, r, item),
             Value::View(r) => self.view_contains(r, item),
             Value::Proxy(r) => match self.heap[r].0 {

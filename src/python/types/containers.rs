@@ -61,7 +61,7 @@ pub fn inplace(vm: &mut Vm<'_>, op: BinaryOp, a: Value, b: Value) -> R<Option<Va
 }
 
 /// How often to repeat a sequence.
-fn repeat_count(vm: &mut Vm<'_>, count: Value) -> R<i64> {
+pub(super) fn repeat_count(vm: &mut Vm<'_>, count: Value) -> R<i64> {
     let count = vm.pin(count);
     match count {
         Value::Int(n, _) => Ok(n),

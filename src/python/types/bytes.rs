@@ -1,8 +1,0 @@
-//! Methods of `bytes`.
-
-use crate::python::native::Native;
-
-/// Methods.
-pub const METHODS: &[Native] = &[];
-/// Methods.
-pub const ARRAY: &[Native] = &[];

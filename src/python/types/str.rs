@@ -1,6 +1,0 @@
-//! Methods of `str`.
-
-use crate::python::native::Native;
-
-/// Methods.
-pub const METHODS: &[Native] = &[];
