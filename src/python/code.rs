@@ -155,7 +155,7 @@ pub enum Op {
         count: u16,
         names: u32,
     },
-    /// value →: leaves the frame, whose other operands and handled exceptions go with it
+    /// value →: leaves the frame, whose other operands go with it; it handles no exception any more
     Return,
     /// value → sent value
     Yield,

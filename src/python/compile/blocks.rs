@@ -214,6 +214,9 @@ impl<'a> Compiler<'a> {
                 || matches!(block.kind, BlockKind::Except(None) | BlockKind::Value)
         };
         if self.unit.blocks.iter().all(quiet) {
+            for _ in 0..self.unit.handling {
+                self.emit(Op::PopExc, range);
+            }
             self.emit(Op::Return, range);
             return Ok(());
         }
