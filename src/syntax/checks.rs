@@ -9,20 +9,46 @@ use ruff_text_size::TextRange;
 use super::error::SyntaxError;
 use super::scope::ScopeKind;
 
-/// Where the walk stands, as the parser crate's checker asks for it, and what it found.
-pub(super) struct Checks<'a> {
-    pub(super) source: &'a str,
+/// Where the walk stands.
+#[derive(Clone, Copy)]
+pub(super) struct Place {
     pub(super) kind: ScopeKind,
     /// In the body of a loop of the current scope.
     pub(super) in_loop: bool,
+    /// In an `except*` handler of the current scope, and in no loop inside it.
+    pub(super) in_star_handler: bool,
+    /// In a loop inside an `except*` handler of the current scope.
+    pub(super) in_star_handler_loop: bool,
     /// Directly in a class body, or in comprehensions that are.
     pub(super) in_class_body: bool,
+}
+
+impl Place {
+    /// At the start of a scope that is written here.
+    pub(super) fn inside(self, kind: ScopeKind) -> Place {
+        let in_class_body = kind == ScopeKind::Class || (kind.is_comprehension() && self.in_class_body);
+        Place { kind, in_loop: false, in_star_handler: false, in_star_handler_loop: false, in_class_body }
+    }
+
+    /// In the body of a loop that is written here.
+    pub(super) fn looped(self) -> Place {
+        let in_star_handler_loop = self.in_star_handler || self.in_star_handler_loop;
+        Place { in_loop: true, in_star_handler: false, in_star_handler_loop, ..self }
+    }
+}
+
+/// The place of the walk as the parser crate's checker asks for it, and what it found.
+pub(super) struct Checks<'a> {
+    pub(super) source: &'a str,
+    pub(super) place: Place,
     pub(super) errors: RefCell<Vec<SyntaxError>>,
 }
 
 impl<'a> Checks<'a> {
     pub(super) fn new(source: &'a str) -> Checks<'a> {
-        Checks { source, kind: ScopeKind::Module, in_loop: false, in_class_body: false, errors: RefCell::default() }
+        let kind = ScopeKind::Module;
+        let place = Place { kind, in_loop: false, in_star_handler: false, in_star_handler_loop: false, in_class_body: false };
+        Checks { source, place, errors: RefCell::default() }
     }
 
     pub(super) fn report(&self, error: SyntaxError) {
@@ -64,13 +90,13 @@ impl SemanticSyntaxContext for Checks<'_> {
         false
     }
     fn in_class_body_comprehension(&self) -> bool {
-        self.in_class_body
+        self.place.in_class_body
     }
     fn in_module_scope(&self) -> bool {
-        self.kind == ScopeKind::Module
+        self.place.kind == ScopeKind::Module
     }
     fn in_function_scope(&self) -> bool {
-        self.kind.is_function_like()
+        self.place.kind.is_function_like()
     }
     fn in_generator_context(&self) -> bool {
         false
@@ -79,7 +105,7 @@ impl SemanticSyntaxContext for Checks<'_> {
         false
     }
     fn in_loop_context(&self) -> bool {
-        self.in_loop
+        self.place.in_loop
     }
     fn is_bound_parameter(&self, _name: &str) -> bool {
         false

@@ -1,13 +1,13 @@
 //! The door of the parser: text → tree, names and errors.
 
 use ruff_python_ast::{AtomicNodeIndex, ModModule, PythonVersion, Stmt, Suite};
-use ruff_python_parser::{Mode, ParseError, ParseOptions};
+use ruff_python_parser::{Mode, ParseError, ParseOptions, UnsupportedSyntaxError};
 use ruff_text_size::{Ranged, TextRange, TextSize};
 
 use super::depth::measure;
 use super::error::{ErrorKind, SyntaxError};
 use super::fences;
-use super::message::message;
+use super::message::{message, unsupported};
 use super::resolve::resolve;
 use super::scan::{Scan, scan};
 use super::scope::Scopes;
@@ -97,51 +97,58 @@ pub fn parse(text: &str) -> Parsed {
 /// Text that is Python as it stands.
 fn is_program(text: &str) -> bool {
     let scanned = scan(text);
-    scanned.errors.is_empty() && scanned.cut.is_none() && run_parser(text, &[]).1.is_empty()
+    scanned.errors.is_empty() && scanned.cut.is_none() && run_parser(text, &[]).errors.is_empty()
+}
+
+/// What the parser made of a text.
+struct Tree {
+    module: ModModule,
+    errors: Vec<ParseError>,
+    unsupported: Vec<UnsupportedSyntaxError>,
 }
 
 /// Parses the text, afresh from each split.
-fn run_parser(text: &str, splits: &[usize]) -> (ModModule, Vec<ParseError>) {
-    let options = ParseOptions::from(Mode::Module).with_target_version(PythonVersion::PY315);
-    let mut module: Option<ModModule> = None;
-    let mut errors = Vec::new();
-    let ends = splits.iter().copied().chain([text.len()]);
+fn run_parser(text: &str, splits: &[usize]) -> Tree {
+    let options = ParseOptions::from(Mode::Module).with_target_version(PythonVersion::PY314);
+    let module = ModModule { node_index: AtomicNodeIndex::NONE, range: TextRange::up_to(size(text.len())), body: Suite::new() };
+    let mut tree = Tree { module, errors: Vec::new(), unsupported: Vec::new() };
+    let ends = splits.iter().copied().filter(|split| *split < text.len()).chain([text.len()]);
     let mut start = 0;
-    for end in ends.filter(|end| *end <= text.len()) {
+    for end in ends {
         let part = TextRange::new(size(start), size(end));
         let parsed = ruff_python_parser::parse_cells_unchecked(text, [part], &options);
         // What is missing at the end of a part is missing before the line end there.
-        let inside =
-            |location: TextRange| if location.start() < part.end() { location } else { TextRange::empty(size(end.saturating_sub(1))) };
-        let located = |error: &ParseError| ParseError { error: error.error.clone(), location: inside(error.location) };
-        errors.extend(parsed.errors().iter().map(|error| if end < text.len() { located(error) } else { error.clone() }));
-        let next = parsed.into_syntax();
-        match &mut module {
-            None => module = Some(next),
-            Some(module) => module.body.extend(next.body),
+        let inside = |location: TextRange| {
+            if end == text.len() || location.start() < part.end() { location } else { TextRange::empty(size(end - 1)) }
+        };
+        let errors = parsed.errors().iter();
+        tree.errors.extend(errors.map(|error| ParseError { error: error.error.clone(), location: inside(error.location) }));
+        tree.unsupported.extend_from_slice(parsed.unsupported_syntax_errors());
+        let next = parsed.into_syntax().body;
+        if tree.module.body.is_empty() {
+            tree.module.body = next;
+        } else {
+            tree.module.body.extend(next);
         }
         start = end;
     }
-    let mut module =
-        module.unwrap_or_else(|| ModModule { node_index: AtomicNodeIndex::NONE, range: TextRange::default(), body: Suite::new() });
-    module.range = TextRange::up_to(size(text.len()));
-    (module, errors)
+    tree
 }
 
 fn parse_scanned(text: &str, scanned: Scan) -> Parsed {
     let text = scanned.cut.map_or(text, |cut| &text[..cut]);
-    let (mut module, found) = run_parser(text, &scanned.splits);
+    let Tree { mut module, errors: found, unsupported: newer } = run_parser(text, &scanned.splits);
     let mut errors = scanned.errors;
-    let confused: Vec<TextRange> = errors.iter().map(|cause| confused_by(cause, &scanned.splits, text)).collect();
+    let confused: Vec<TextRange> = errors.iter().filter_map(|cause| confused_by(cause, &scanned.splits, text)).collect();
     let depth = limit_depth(&mut module, &mut errors);
 
     let mut whole = vec![true; module.body.len()];
-    for range in errors.iter().map(|error| error.range).chain(found.iter().map(|error| error.location)) {
+    let located = found.iter().map(|error| error.location).chain(newer.iter().map(|error| error.range));
+    for range in errors.iter().map(|error| error.range).chain(located) {
         touched(&module, range).for_each(|at| whole[at] = false);
     }
-    let news = found.iter().take(MAX_READ_ERRORS).map(|error| (clamp(error.location, text), error));
-    let news = news.filter(|(range, _)| !confused.iter().any(|confused| confused.contains_inclusive(range.start())));
-    errors.extend(news.map(|(range, error)| SyntaxError::new(range, message(error, text))));
+    errors.extend(in_words(&found, &confused, text));
+    errors.extend(newer.iter().filter_map(|error| Some(SyntaxError::new(clamp(error.range, text), unsupported(error)?))));
 
     let (scopes, refused) = with_stack(depth, || resolve(&module.body, module.range, text));
     let sound = whole.clone();
@@ -157,6 +164,16 @@ fn parse_scanned(text: &str, scanned: Scan) -> Parsed {
     Parsed { module, scopes, errors, whole, depth }
 }
 
+/// The parser's errors that say something new: one a line, and none that only echo the scan's.
+fn in_words(found: &[ParseError], confused: &[TextRange], text: &str) -> Vec<SyntaxError> {
+    let mut ranges: Vec<(TextRange, &ParseError)> =
+        found.iter().take(MAX_READ_ERRORS).map(|error| (clamp(error.location, text), error)).collect();
+    ranges.retain(|(range, _)| !confused.iter().any(|confused| confused.contains_inclusive(range.start())));
+    ranges.sort_by_key(|(range, _)| range.start());
+    ranges.dedup_by(|(later, _), (first, _)| !text[first.start().to_usize()..later.start().to_usize()].contains(['\n', '\r']));
+    ranges.into_iter().map(|(range, error)| SyntaxError::new(range, message(error, text))).collect()
+}
+
 /// The top-level statements that a range touches, by their places in the body.
 fn touched(module: &ModModule, range: TextRange) -> std::ops::Range<usize> {
     let first = module.body.partition_point(|stmt| stmt.range().end() < range.start());
@@ -165,15 +182,12 @@ fn touched(module: &ModModule, range: TextRange) -> std::ops::Range<usize> {
 }
 
 /// Where the parser's errors only echo one of the scan's: a bracket or string that stays open
-/// confuses everything up to the next split, or at least its line.
-fn confused_by(cause: &SyntaxError, splits: &[usize], text: &str) -> TextRange {
+/// confuses everything up to the next split.
+fn confused_by(cause: &SyntaxError, splits: &[usize], text: &str) -> Option<TextRange> {
     let start = cause.range.start();
-    let end = cause.range.end().to_usize().min(text.len());
-    let line = text[end..].find(['\n', '\r']).map_or(text.len(), |length| end + length);
-    let split = splits.iter().copied().find(|split| *split > start.to_usize()).unwrap_or(text.len());
-    let end =
-        if cause.kind == ErrorKind::Syntax && cause.message.starts_with("unmatched") { line } else { split.saturating_sub(1).max(line) };
-    TextRange::new(start, size(end).max(start))
+    let split = splits.iter().copied().find(|split| *split > start.to_usize());
+    let end = split.map_or(text.len(), |split| split - 1);
+    (cause.kind == ErrorKind::Syntax).then(|| TextRange::new(start, size(end).max(start)))
 }
 
 /// The parser's ranges, kept inside the text and on character boundaries whatever it says. A line's end is a place, no range.

@@ -2,17 +2,19 @@
 //! CPython's compiler would refuse. `layout` then decides what each name means.
 
 use ruff_python_ast::name::Name;
-use ruff_python_ast::visitor::{Visitor, walk_expr, walk_pattern, walk_stmt};
-use ruff_python_ast::{self as ast, Expr, ExprContext, Identifier, Pattern, Stmt};
+use ruff_python_ast::visitor::Visitor;
+use ruff_python_ast::{self as ast, Expr, Identifier, Stmt};
 use ruff_python_parser::semantic_errors::SemanticSyntaxChecker;
 use ruff_text_size::{Ranged, TextRange, TextSize};
 use rustc_hash::FxHashMap;
 
-use super::checks::Checks;
+use super::checks::{Checks, Place};
 use super::error::SyntaxError;
 use super::scope::{NameId, Occurrence, Role, Scope, ScopeId, ScopeKind, Scopes, mangled};
 
+mod definitions;
 mod layout;
+mod walk;
 
 /// More decimal digits than CPython reads into an integer.
 const MAX_INT_DIGITS: usize = 4300;
@@ -82,9 +84,7 @@ pub(super) fn resolve(body: &[Stmt], range: TextRange, source: &str) -> (Scopes,
 /// What [`Resolver::open`] changed, to be handed to [`Resolver::close`].
 struct Outer {
     scope: ScopeId,
-    kind: ScopeKind,
-    in_loop: bool,
-    in_class_body: bool,
+    place: Place,
 }
 
 impl<'a> Resolver<'a> {
@@ -110,21 +110,16 @@ impl<'a> Resolver<'a> {
     }
 
     fn open(&mut self, kind: ScopeKind, range: TextRange, name: Name) -> Outer {
-        let outer =
-            Outer { scope: self.current, kind: self.checks.kind, in_loop: self.checks.in_loop, in_class_body: self.checks.in_class_body };
+        let outer = Outer { scope: self.current, place: self.checks.place };
         self.current = self.push_scope(kind, range, name, Some(outer.scope));
         self.scopes.nodes.insert(range, self.current);
-        self.checks.kind = kind;
-        self.checks.in_loop = false;
-        self.checks.in_class_body = kind == ScopeKind::Class || (kind.is_comprehension() && outer.in_class_body);
+        self.checks.place = outer.place.inside(kind);
         outer
     }
 
     fn close(&mut self, outer: Outer) {
         self.current = outer.scope;
-        self.checks.kind = outer.kind;
-        self.checks.in_loop = outer.in_loop;
-        self.checks.in_class_body = outer.in_class_body;
+        self.checks.place = outer.place;
     }
 
     fn intern(&mut self, name: &Name) -> NameId {
@@ -203,113 +198,6 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    fn visit_parameter_defaults(&mut self, parameters: &'a ast::Parameters) {
-        for parameter in parameters.iter_non_variadic_params() {
-            if let Some(default) = &parameter.default {
-                self.visit_expr(default);
-            }
-        }
-        for parameter in parameters {
-            if let Some(annotation) = &parameter.as_parameter().annotation {
-                self.visit_expr(annotation);
-            }
-        }
-    }
-
-    /// In CPython's order: positional, keyword-only, `*args`, `**kwargs`.
-    fn bind_parameters(&mut self, parameters: &ast::Parameters) {
-        let plain = parameters.iter_non_variadic_params().map(|parameter| &parameter.parameter);
-        for parameter in plain.chain(parameters.vararg.as_deref()).chain(parameters.kwarg.as_deref()) {
-            self.note(&parameter.name.id, parameter.name.range, Role::Bind, Uses::PARAMETER);
-        }
-    }
-
-    /// Newer than 3.11, and kept simple: type parameters are names of the scope around the definition.
-    fn bind_type_params(&mut self, type_params: Option<&'a ast::TypeParams>) {
-        for parameter in type_params.into_iter().flat_map(|params| params.iter()) {
-            self.bind(parameter.name());
-            self.visit_type_param(parameter);
-        }
-    }
-
-    fn function(&mut self, node: &'a ast::StmtFunctionDef) {
-        if node.is_async {
-            let start = node.decorator_list.last().map_or(node.start(), Ranged::end);
-            self.left_out(TextRange::new(start.max(node.start()), node.name.start()), "'async def' is");
-        }
-        for decorator in &node.decorator_list {
-            self.visit_decorator(decorator);
-        }
-        self.bind_type_params(node.type_params.as_deref());
-        self.visit_parameter_defaults(&node.parameters);
-        if let Some(returns) = &node.returns {
-            self.visit_expr(returns);
-        }
-        self.bind(&node.name);
-        let outer = self.open(ScopeKind::Function, node.range, node.name.id.clone());
-        self.bind_parameters(&node.parameters);
-        self.visit_body(&node.body);
-        self.close(outer);
-    }
-
-    fn class(&mut self, node: &'a ast::StmtClassDef) {
-        for decorator in &node.decorator_list {
-            self.visit_decorator(decorator);
-        }
-        self.bind_type_params(node.type_params.as_deref());
-        if let Some(arguments) = &node.arguments {
-            self.visit_arguments(arguments);
-        }
-        self.bind(&node.name);
-        let outer = self.open(ScopeKind::Class, node.range, node.name.id.clone());
-        self.visit_body(&node.body);
-        self.close(outer);
-    }
-
-    fn lambda(&mut self, node: &'a ast::ExprLambda) {
-        if let Some(parameters) = &node.parameters {
-            self.visit_parameter_defaults(parameters);
-        }
-        let outer = self.open(ScopeKind::Lambda, node.range, Name::new_static("<lambda>"));
-        if let Some(parameters) = &node.parameters {
-            self.bind_parameters(parameters);
-        }
-        self.visit_expr(&node.body);
-        self.close(outer);
-    }
-
-    fn comprehension(&mut self, kind: ScopeKind, range: TextRange, generators: &'a [ast::Comprehension], elements: [Option<&'a Expr>; 2]) {
-        let name = match kind {
-            ScopeKind::SetComp => "<setcomp>",
-            ScopeKind::DictComp => "<dictcomp>",
-            ScopeKind::Generator => "<genexpr>",
-            _ => "<listcomp>",
-        };
-        if let Some(first) = generators.first() {
-            self.visit_expr(&first.iter);
-        }
-        let outer = self.open(kind, range, Name::new_static(name));
-        let hidden = self.intern(&Name::new_static(".0"));
-        let scope = self.current;
-        self.entry(scope, hidden).uses.add(Uses::PARAMETER);
-        for (i, generator) in generators.iter().enumerate() {
-            if generator.is_async {
-                self.left_out(Self::keyword(generator.range, "async"), "'async for' is");
-            }
-            if i > 0 {
-                self.visit_expr(&generator.iter);
-            }
-            self.visit_expr(&generator.target);
-            for test in &generator.ifs {
-                self.visit_expr(test);
-            }
-        }
-        for element in elements.into_iter().flatten() {
-            self.visit_expr(element);
-        }
-        self.close(outer);
-    }
-
     /// `name := value`: binds in the function around the comprehensions, not in them.
     fn walrus(&mut self, node: &'a ast::ExprNamed) {
         self.visit_expr(&node.value);
@@ -317,7 +205,7 @@ impl<'a> Resolver<'a> {
             self.visit_expr(&node.target);
             return;
         };
-        if !self.checks.kind.is_comprehension() {
+        if !self.checks.place.kind.is_comprehension() {
             self.visit_expr(&node.target);
             return;
         }
@@ -334,7 +222,7 @@ impl<'a> Resolver<'a> {
 
     fn yields(&mut self, range: TextRange) {
         let scope = self.current.0 as usize;
-        let place = match self.checks.kind {
+        let place = match self.checks.place.kind {
             ScopeKind::Function | ScopeKind::Lambda => {
                 self.scopes.scopes[scope].is_generator = true;
                 return;
@@ -349,9 +237,10 @@ impl<'a> Resolver<'a> {
     }
 
     fn looped(&mut self, body: &'a [Stmt], orelse: &'a [Stmt]) {
-        let before = std::mem::replace(&mut self.checks.in_loop, true);
+        let before = self.checks.place;
+        self.checks.place = before.looped();
         self.visit_body(body);
-        self.checks.in_loop = before;
+        self.checks.place = before;
         self.visit_body(orelse);
     }
 
@@ -409,7 +298,10 @@ impl<'a> Resolver<'a> {
             if let Some(name) = &handler.name {
                 self.bind(name);
             }
+            let before = self.checks.place.in_star_handler;
+            self.checks.place.in_star_handler |= node.is_star;
             self.visit_body(&handler.body);
+            self.checks.place.in_star_handler = before;
         }
         self.visit_body(&node.orelse);
         self.visit_body(&node.finalbody);
@@ -423,6 +315,37 @@ impl<'a> Resolver<'a> {
                 let limit = format!("Exceeds the limit ({MAX_INT_DIGITS} digits) for integer string conversion: value has {digits} digits");
                 self.report(range, limit);
             }
+        }
+    }
+
+    /// `*x` where only a list of expressions may hold one.
+    fn stars(&mut self, stmt: &Stmt) {
+        let value = match stmt {
+            Stmt::Expr(node) => Some(&node.value),
+            Stmt::AnnAssign(node) => node.value.as_ref(),
+            Stmt::AugAssign(node) => Some(&node.value),
+            _ => None,
+        };
+        if let Some(value) = value.filter(|value| value.is_starred_expr()) {
+            self.report(value.range(), "can't use starred expression here".to_string());
+        }
+        if let Stmt::Assign(node) = stmt {
+            let chained = if node.targets.len() > 1 { node.targets.as_slice() } else { &[] };
+            for target in chained.iter().filter(|target| target.is_starred_expr()) {
+                self.report(target.range(), "starred assignment target must be in a list or tuple".to_string());
+            }
+        }
+    }
+
+    /// Jumps out of an `except*` handler.
+    fn jumps(&mut self, stmt: &Stmt) {
+        let out = match stmt {
+            Stmt::Break(_) | Stmt::Continue(_) => self.checks.place.in_star_handler,
+            Stmt::Return(_) => self.checks.place.in_star_handler || self.checks.place.in_star_handler_loop,
+            _ => false,
+        };
+        if out {
+            self.report(stmt.range(), "'break', 'continue' and 'return' cannot appear in an except* block".to_string());
         }
     }
 
@@ -440,122 +363,6 @@ impl<'a> Resolver<'a> {
                 false
             }
             _ => true,
-        }
-    }
-}
-
-impl<'a> Visitor<'a> for Resolver<'a> {
-    fn visit_stmt(&mut self, stmt: &'a Stmt) {
-        if self.is_checkable(stmt) {
-            self.checker.visit_stmt(stmt, &self.checks);
-        }
-        match stmt {
-            Stmt::FunctionDef(node) => self.function(node),
-            Stmt::ClassDef(node) => self.class(node),
-            Stmt::Global(node) => self.declare(&node.names, Uses::GLOBAL, "global"),
-            Stmt::Nonlocal(node) if self.current == ScopeId::MODULE => {
-                self.report(node.range, "nonlocal declaration not allowed at module level".to_string());
-            }
-            Stmt::Nonlocal(node) => self.declare(&node.names, Uses::NONLOCAL, "nonlocal"),
-            Stmt::For(node) => {
-                if node.is_async {
-                    self.left_out(Self::keyword(node.range, "async"), "'async for' is");
-                }
-                self.visit_expr(&node.iter);
-                self.visit_expr(&node.target);
-                self.looped(&node.body, &node.orelse);
-            }
-            Stmt::While(node) => {
-                self.visit_expr(&node.test);
-                self.looped(&node.body, &node.orelse);
-            }
-            Stmt::With(node) => {
-                if node.is_async {
-                    self.left_out(Self::keyword(node.range, "async"), "'async with' is");
-                }
-                walk_stmt(self, stmt);
-            }
-            Stmt::Try(node) => self.attempt(node),
-            Stmt::AnnAssign(node) => self.annotated(node),
-            Stmt::Import(node) => {
-                if node.is_lazy {
-                    self.left_out(Self::keyword(node.range, "lazy"), "'lazy' imports are");
-                }
-                self.import(&node.names, false);
-            }
-            Stmt::ImportFrom(node) => {
-                if node.is_lazy {
-                    self.left_out(Self::keyword(node.range, "lazy"), "'lazy' imports are");
-                }
-                if node.level == 0 && node.module.as_deref() == Some("__future__") {
-                    self.left_out(node.range, "'from __future__ import' is");
-                }
-                self.import(&node.names, true);
-            }
-            Stmt::TypeAlias(node) => {
-                self.bind_type_params(node.type_params.as_deref());
-                self.visit_expr(&node.value);
-                self.visit_expr(&node.name);
-            }
-            _ => walk_stmt(self, stmt),
-        }
-    }
-
-    fn visit_expr(&mut self, expr: &'a Expr) {
-        self.checker.visit_expr(expr, &self.checks);
-        match expr {
-            Expr::Name(node) => {
-                let (role, uses) = match node.ctx {
-                    ExprContext::Store => (Role::Bind, Uses::BOUND),
-                    ExprContext::Del => (Role::Delete, Uses::BOUND),
-                    ExprContext::Load | ExprContext::Invalid => (Role::Load, Uses::READ),
-                };
-                self.note(&node.id, node.range, role, uses);
-                if role == Role::Load && node.id == "super" && self.checks.kind.is_function_like() {
-                    let class = self.intern(&Name::new_static("__class__"));
-                    let scope = self.current;
-                    self.entry(scope, class).uses.add(Uses::IMPLICIT);
-                }
-            }
-            Expr::Lambda(node) => self.lambda(node),
-            Expr::ListComp(node) => self.comprehension(ScopeKind::ListComp, node.range, &node.generators, [Some(&node.elt), None]),
-            Expr::SetComp(node) => self.comprehension(ScopeKind::SetComp, node.range, &node.generators, [Some(&node.elt), None]),
-            Expr::DictComp(node) => {
-                self.comprehension(ScopeKind::DictComp, node.range, &node.generators, [node.key.as_deref(), Some(&node.value)]);
-            }
-            Expr::Generator(node) => self.comprehension(ScopeKind::Generator, node.range, &node.generators, [Some(&node.elt), None]),
-            Expr::Named(node) => self.walrus(node),
-            Expr::Yield(node) => {
-                self.yields(node.range);
-                walk_expr(self, expr);
-            }
-            Expr::YieldFrom(node) => {
-                self.yields(node.range);
-                walk_expr(self, expr);
-            }
-            Expr::Await(node) => {
-                self.left_out(Self::keyword(node.range, "await"), "'await' is");
-                walk_expr(self, expr);
-            }
-            Expr::TString(node) => {
-                self.left_out(node.range, "template strings (t\"…\") are");
-                walk_expr(self, expr);
-            }
-            Expr::NumberLiteral(node) if node.range.len().to_usize() > MAX_INT_DIGITS => self.integer(node.range),
-            _ => walk_expr(self, expr),
-        }
-    }
-
-    fn visit_pattern(&mut self, pattern: &'a Pattern) {
-        walk_pattern(self, pattern);
-        let name = match pattern {
-            Pattern::MatchStar(node) => &node.name,
-            Pattern::MatchAs(node) => &node.name,
-            Pattern::MatchMapping(node) => &node.rest,
-            _ => &None,
-        };
-        if let Some(name) = name {
-            self.bind(name);
         }
     }
 }

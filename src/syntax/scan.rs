@@ -212,6 +212,11 @@ impl Scanner<'_> {
         }
     }
 
+    fn null_byte(&mut self) {
+        self.error(self.at, self.at + 1, "source code cannot contain null bytes");
+        self.scan.cut = Some(self.statement);
+    }
+
     /// The element nests one level deeper; `count` says in which way.
     fn deepen(&mut self, count: fn(&mut Element) -> &mut u32) {
         *count(&mut self.element) += 1;
@@ -295,7 +300,10 @@ impl Scanner<'_> {
                 self.broken = true;
                 self.close_around(opener);
             }
-            _ => self.error(start, start + 1, format!("unmatched '{}'", char::from(closer))),
+            _ => {
+                self.error(start, start + 1, format!("unmatched '{}'", char::from(closer)));
+                self.broken = true;
+            }
         }
         self.operand = true;
     }

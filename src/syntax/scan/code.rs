@@ -37,7 +37,7 @@ impl Scanner<'_> {
             b'(' | b'[' | b'{' => self.open(byte),
             b')' | b']' | b'}' => self.close(byte),
             b'\\' => self.continuation(),
-            0 => self.stop(self.at, "source code cannot contain null bytes"),
+            0 => self.null_byte(),
             _ => self.operator(byte),
         }
     }

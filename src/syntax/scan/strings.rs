@@ -21,7 +21,7 @@ impl Scanner<'_> {
                 b'\\' => self.escape(),
                 b'\n' | b'\r' if !triple => break,
                 0 => {
-                    self.stop(self.at, "source code cannot contain null bytes");
+                    self.null_byte();
                     return;
                 }
                 byte if *byte == quote && (!triple || self.bytes[self.at..].starts_with(&[quote; 3])) => {
@@ -76,7 +76,7 @@ impl Scanner<'_> {
                 self.pop();
                 self.close_line(start);
             }
-            0 => self.stop(self.at, "source code cannot contain null bytes"),
+            0 => self.null_byte(),
             byte if byte == quote && (!triple || self.bytes[self.at..].starts_with(&[quote; 3])) => {
                 while !matches!(self.frames.last(), Some((Frame::Text { .. }, ..)) | None) {
                     self.pop();
