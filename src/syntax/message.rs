@@ -143,10 +143,10 @@ fn plain_words(message: &str) -> String {
         _ => {}
     }
     let mut words = message.replace('`', "'");
-    if let Some(first) = words.get(..1).map(str::to_ascii_lowercase) {
-        if !words.get(1..2).is_some_and(|second| second.chars().all(char::is_uppercase)) {
-            words.replace_range(..1, &first);
-        }
+    if let Some(first) = words.get(..1).map(str::to_ascii_lowercase)
+        && !words.get(1..2).is_some_and(|second| second.chars().all(char::is_uppercase))
+    {
+        words.replace_range(..1, &first);
     }
     words
 }

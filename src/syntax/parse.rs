@@ -170,7 +170,15 @@ fn in_words(found: &[ParseError], confused: &[TextRange], text: &str) -> Vec<Syn
         found.iter().take(MAX_READ_ERRORS).map(|error| (clamp(error.location, text), error)).collect();
     ranges.retain(|(range, _)| !confused.iter().any(|confused| confused.contains_inclusive(range.start())));
     ranges.sort_by_key(|(range, _)| range.start());
-    ranges.dedup_by(|(later, _), (first, _)| !text[first.start().to_usize()..later.start().to_usize()].contains(['\n', '\r']));
+    let mut line_end = None;
+    ranges.retain(|(range, _)| {
+        let start = range.start().to_usize();
+        let fresh = line_end.is_none_or(|end| start > end);
+        if fresh {
+            line_end = Some(text[start..].find(['\n', '\r']).map_or(text.len(), |length| start + length));
+        }
+        fresh
+    });
     ranges.into_iter().map(|(range, error)| SyntaxError::new(range, message(error, text))).collect()
 }
 

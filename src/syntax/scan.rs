@@ -21,7 +21,7 @@ const MAX_INDENTS: usize = 100;
 const MAX_NESTING: u32 = 400;
 /// Operators, attributes and calls in one element of a list: `1 + 1 + …`, `a.b.c…`.
 const MAX_CHAIN: u32 = 20_000;
-/// Names, numbers, strings and operators in one program.
+/// Names, numbers, strings, operators and lines in one program.
 const MAX_TOKENS: u32 = 500_000;
 /// How often the scan goes back because of an open bracket.
 const MAX_REWINDS: usize = 20;
@@ -292,8 +292,8 @@ impl Scanner<'_> {
             Some((Frame::Bracket(open), ..)) if open == opener => self.pop_bracket(),
             Some((Frame::Field, ..)) if closer == b'}' => self.pop(),
             Some((Frame::Bracket(open), open_at, _)) => {
-                let line = 1 + self.bytes[..open_at].iter().filter(|byte| **byte == b'\n').count();
-                let same = !self.bytes[open_at..start].contains(&b'\n');
+                let line = self.line(open_at);
+                let same = line == self.line(start);
                 let place = if same { String::new() } else { format!(" on line {line}") };
                 let (closer, open) = (char::from(closer), char::from(open));
                 self.error(start, start + 1, format!("closing parenthesis '{closer}' does not match opening parenthesis '{open}'{place}"));
@@ -356,7 +356,7 @@ impl Scanner<'_> {
         let open: Vec<(Frame, usize)> = self.frames.iter().map(|(frame, at, _)| (*frame, *at)).collect();
         let mut seen: Option<usize> = None;
         for (frame, at) in open.into_iter().rev() {
-            if seen.is_some_and(|inner| !self.bytes[at..inner].contains(&b'\n')) {
+            if seen.is_some_and(|inner| self.line_end(at) >= inner) {
                 continue;
             }
             seen = Some(at);
@@ -371,7 +371,7 @@ impl Scanner<'_> {
     }
 
     fn unterminated(&mut self, start: usize, what: &str) {
-        let line = 1 + self.bytes[..self.at.min(self.bytes.len())].iter().filter(|byte| **byte == b'\n').count();
+        let line = self.line(self.at.min(self.bytes.len()));
         self.error(start, self.at, format!("unterminated {what} literal (detected at line {line})"));
     }
 
@@ -422,8 +422,19 @@ impl Scanner<'_> {
         if self.bytes[start..].starts_with(b"```") {
             let end = self.line_end(start);
             self.scan.fences.push(range(start, end));
+            if self.scan.fences.len() > MAX_ERRORS {
+                self.stop(start, "too many Markdown fences");
+            }
             self.at = end;
         }
+    }
+
+    /// The line of a byte, from 1.
+    fn line(&self, at: usize) -> usize {
+        let before = &self.bytes[..at];
+        let ends =
+            before.iter().enumerate().filter(|(i, byte)| **byte == b'\n' || (**byte == b'\r' && self.bytes.get(i + 1) != Some(&b'\n')));
+        1 + ends.count()
     }
 
     fn line_end(&self, from: usize) -> usize {

@@ -113,19 +113,19 @@ impl<'a> Visitor<'a> for Resolver<'a> {
     }
 
     fn visit_interpolated_string_element(&mut self, element: &'a ast::InterpolatedStringElement) {
-        if let ast::InterpolatedStringElement::Interpolation(field) = element {
-            if field.expression.is_starred_expr() {
-                self.report(field.expression.range(), "f-string: cannot use starred expression here".to_string());
-            }
+        if let ast::InterpolatedStringElement::Interpolation(field) = element
+            && field.expression.is_starred_expr()
+        {
+            self.report(field.expression.range(), "f-string: cannot use starred expression here".to_string());
         }
         walk_interpolated_string_element(self, element);
     }
 
     fn visit_pattern(&mut self, pattern: &'a Pattern) {
-        if let Pattern::MatchValue(node) = pattern {
-            if matches!(node.value.as_ref(), Expr::FString(_) | Expr::TString(_)) {
-                self.report(node.range, "patterns may only match literals and attribute lookups".to_string());
-            }
+        if let Pattern::MatchValue(node) = pattern
+            && matches!(node.value.as_ref(), Expr::FString(_) | Expr::TString(_))
+        {
+            self.report(node.range, "patterns may only match literals and attribute lookups".to_string());
         }
         walk_pattern(self, pattern);
         let name = match pattern {

@@ -3,16 +3,14 @@
 use super::{Element, Frame, MAX_TOKENS, Scanner};
 
 impl Scanner<'_> {
-    /// Reads one token, or the blanks before it.
+    /// Reads one token or line end, or the blanks before it.
     pub(super) fn code(&mut self) {
         let byte = self.byte(0);
         match byte {
             b' ' | b'\t' | b'\x0c' => {
-                self.at += 1;
-                return;
-            }
-            b'\n' | b'\r' => {
-                self.newline();
+                while matches!(self.bytes.get(self.at), Some(b' ' | b'\t' | b'\x0c')) {
+                    self.at += 1;
+                }
                 return;
             }
             b'#' => {
@@ -37,6 +35,7 @@ impl Scanner<'_> {
             b'(' | b'[' | b'{' => self.open(byte),
             b')' | b']' | b'}' => self.close(byte),
             b'\\' => self.continuation(),
+            b'\n' | b'\r' => self.newline(),
             0 => self.null_byte(),
             _ => self.operator(byte),
         }
@@ -102,6 +101,11 @@ impl Scanner<'_> {
                 self.string(start, has(b'f') || has(b't'), has(b'r'));
                 return;
             }
+        }
+        // The longest keyword has eight letters, and all of them are small.
+        if word.len() > 8 || !word[0].is_ascii_lowercase() {
+            self.operand = true;
+            return;
         }
         self.operand = false;
         match word {
