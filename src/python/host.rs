@@ -72,3 +72,57 @@ pub trait Host {
     /// The statement that began last raised; the host undoes what must not leak into the next.
     fn statement_failed(&mut self);
 }
+
+/// A host that offers nothing: plain Python.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Nothing;
+
+impl Host for Nothing {
+    fn lookup(&mut self, _: &mut HostCx<'_>, _: &str) -> Option<HostName> {
+        None
+    }
+    fn names(&self) -> Vec<&'static str> {
+        Vec::new()
+    }
+    fn type_name(&self, _: &Heap, _: Value) -> &'static str {
+        "object"
+    }
+    fn type_names(&self) -> &'static [&'static str] {
+        &[]
+    }
+    fn get_attr(&mut self, _: &mut HostCx<'_>, _: Value, _: &str) -> R<Option<Value>> {
+        Ok(None)
+    }
+    fn set_attr(&mut self, cx: &mut HostCx<'_>, _: Value, name: &str, _: Value) -> R<()> {
+        Err(cx.error(crate::python::classes::Builtin::AttributeError, format!("'object' object has no attribute '{name}'")))
+    }
+    fn wants_sequence(&self, _: Value, _: &str) -> bool {
+        false
+    }
+    fn call(&mut self, _: &mut HostCx<'_>, _: Value, _: Args<'_>) -> R<Option<Value>> {
+        Ok(None)
+    }
+    fn binary(&mut self, _: &mut HostCx<'_>, _: BinaryOp, _: Value, _: Value) -> R<Option<Value>> {
+        Ok(None)
+    }
+    fn unary(&mut self, _: &mut HostCx<'_>, _: UnaryOp, _: Value) -> R<Option<Value>> {
+        Ok(None)
+    }
+    fn items(&mut self, _: &mut HostCx<'_>, _: Value) -> R<Option<SmallVec<[Value; 4]>>> {
+        Ok(None)
+    }
+    fn equals(&mut self, _: &mut HostCx<'_>, _: Value, _: Value) -> R<Option<bool>> {
+        Ok(None)
+    }
+    fn hashable(&self, _: &Heap, _: Value) -> bool {
+        true
+    }
+    fn repr(&mut self, _: &mut HostCx<'_>, _: Value) -> R<String> {
+        Ok("<object>".to_string())
+    }
+    fn is_instance(&mut self, _: &mut HostCx<'_>, _: Value, _: Value) -> Option<bool> {
+        None
+    }
+    fn statement_begins(&mut self) {}
+    fn statement_failed(&mut self) {}
+}

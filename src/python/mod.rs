@@ -19,6 +19,7 @@ pub mod iter;
 pub mod iterate;
 pub mod modules;
 pub mod native;
+pub mod program;
 pub mod numbers;
 #[cfg(test)]
 mod recorded;

@@ -3,7 +3,7 @@
 use super::classes::Builtin;
 use super::code::Program;
 use super::native::Native;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 pub mod itertools;
 pub mod math;
@@ -28,7 +28,46 @@ pub fn native_module(name: &str) -> Option<&'static [(&'static str, Item)]> {
     }
 }
 
-/// A module written in Python, compiled; `None` where there is none of that name.
-pub fn python_module(_name: &str) -> Option<Arc<Program>> {
-    None
+/// The modules written in Python, by name.
+const SOURCES: &[(&str, &str)] = &[
+    ("_abc", include_str!("../lib/_abc.py")),
+    ("_binding", include_str!("../lib/_binding.py")),
+    ("_collections_abc", include_str!("../lib/_collections_abc.py")),
+    ("_collections_counter", include_str!("../lib/_collections_counter.py")),
+    ("_collections_user", include_str!("../lib/_collections_user.py")),
+    ("_enum_checks", include_str!("../lib/_enum_checks.py")),
+    ("_singledispatch", include_str!("../lib/_singledispatch.py")),
+    ("_types", include_str!("../lib/_types.py")),
+    ("collections", include_str!("../lib/collections.py")),
+    ("copy", include_str!("../lib/copy.py")),
+    ("dataclasses", include_str!("../lib/dataclasses.py")),
+    ("enum", include_str!("../lib/enum.py")),
+    ("functools", include_str!("../lib/functools.py")),
+    ("typing", include_str!("../lib/typing.py")),
+];
+
+static PROGRAMS: [OnceLock<Option<Arc<Program>>>; SOURCES.len()] = [const { OnceLock::new() }; SOURCES.len()];
+
+/// A module written in Python, compiled once in a process; `None` where there is none of that name.
+pub fn python_module(name: &str) -> Option<Arc<Program>> {
+    let at = SOURCES.iter().position(|s| s.0 == name)?;
+    PROGRAMS[at].get_or_init(|| compiled(SOURCES[at].1)).clone()
+}
+
+fn compiled(text: &str) -> Option<Arc<Program>> {
+    let parsed = crate::syntax::parse(text);
+    if !parsed.is_complete() {
+        return None;
+    }
+    super::program::build(&parsed, text, &crate::syntax::Tuning::default()).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_module_that_comes_with_psdl_compiles() {
+        for (name, _) in super::SOURCES {
+            assert!(super::python_module(name).is_some(), "{name}");
+        }
+    }
 }

@@ -13,13 +13,20 @@ pub const METHODS: &[Native] = &[
     Native::raw("__init__", 0, ANY, init),
     Native::raw("__str__", 0, 0, str),
     Native::raw("__repr__", 0, 0, repr),
-    Native::raw("with_traceback", 1, 1, |_, a| Ok(a.at(0))),
+    Native::raw("with_traceback", 1, 1, |vm, a| {
+        if a.at(1).is_none()
+            && let Some(data) = vm.heap.exception_data_mut(a.at(0))
+        {
+            data.traceback.clear();
+        }
+        Ok(a.at(0))
+    }),
     Native::raw("add_note", 1, 1, add_note),
     Native::getter("args", |vm, a| Ok(vm.heap.exception_data(a.at(0)).map_or(Value::None, |d| d.args))),
     Native::getter("__cause__", |vm, a| Ok(vm.heap.exception_data(a.at(0)).map_or(Value::None, |d| d.cause))),
     Native::getter("__context__", |vm, a| Ok(vm.heap.exception_data(a.at(0)).map_or(Value::None, |d| d.context))),
     Native::getter("__suppress_context__", |vm, a| Ok(Value::Bool(vm.heap.exception_data(a.at(0)).is_some_and(|d| d.suppress)))),
-    Native::getter("__traceback__", |_, _| Ok(Value::None)),
+    Native::getter("__traceback__", |vm, a| Ok(vm.traceback(a.at(0)))),
     Native::raw("__setstate__", 1, 1, |_, _| Ok(Value::None)),
 ];
 
@@ -227,8 +234,7 @@ fn new_group(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
         }
         c => c,
     };
-    let tuple = vm.new_tuple(items);
-    let args = vm.new_tuple([message, tuple].as_slice());
+    let args = vm.new_tuple([message, given].as_slice());
     Ok(vm.heap.exception(class, args))
 }
 

@@ -405,8 +405,19 @@ impl Vm<'_> {
             }
             sym::CLASS => Some(Found::Value(Builtin::Module.value())),
             sym::DOC => Some(Found::Value(Value::None)),
-            _ => None,
+            _ => return self.module_hook(m, name),
         })
+    }
+
+    /// `def __getattr__(name)` of a module.
+    fn module_hook(&mut self, m: Ref<Module>, name: Symbol) -> R<Option<Found>> {
+        let Some(&slot) = self.heap[m].index.get(&sym::GETATTR) else { return Ok(None) };
+        let hook = self.heap[m].slots[slot as usize];
+        if hook.is_undefined() {
+            return Ok(None);
+        }
+        let text = self.symbol_text(name);
+        self.call(hook, &[text]).map(|v| Some(Found::Value(v)))
     }
 
     /// A fresh dict of a module's globals.

@@ -409,6 +409,10 @@ impl Vm<'_> {
                 self.call_hook(inner, Value::Class(class), args)?
             }
             Some(f @ Value::Function(_)) => self.call_hook(f, Value::Class(class), args)?,
+            Some(f @ Value::Native(_)) if self.heap[class].layout == Layout::Exception => {
+                let is_default = self.class_attr(Builtin::Object.class(), sym::NEW).is_some_and(|d| d.is(f));
+                if is_default { self.default_new(class, args)? } else { self.call_hook(f, Value::Class(class), args)? }
+            }
             _ => self.default_new(class, args)?,
         };
         let own = self.class_of(instance);
@@ -525,8 +529,8 @@ impl Vm<'_> {
 
     /// Makes a function from what `MakeFunction` finds on the stack.
     pub(super) fn make_function(&mut self, child: u32, flags: u8) -> Value {
-        let first = self.codes[self.frame.code.0 as usize].first;
-        let id = CodeId(first + child);
+        let current = &self.codes[self.frame.code.0 as usize];
+        let id = CodeId(current.first + current.code().children[child as usize]);
         let closure: SmallVec<[Ref<Cell>; 2]> = if flags & 8 != 0 { self.pop_cells() } else { SmallVec::new() };
         let annotations = if flags & 4 != 0 { self.pop() } else { Value::None };
         let kwdefaults = if flags & 2 != 0 { self.pop_keywords() } else { SmallVec::new() };

@@ -69,6 +69,10 @@ impl Vm<'_> {
                 let mro: Vec<Value> = self.heap[class].mro.iter().map(|c| Value::Class(*c)).collect();
                 self.heap.tuple(mro)
             }
+            _ if self.symbols.text(name) == "__base__" => match self.heap[class].bases.first() {
+                Some(base) => Value::Class(*base),
+                None => Value::None,
+            },
             sym::BASES => {
                 let bases: Vec<Value> = self.heap[class].bases.iter().map(|c| Value::Class(*c)).collect();
                 self.heap.tuple(bases)

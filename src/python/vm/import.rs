@@ -74,6 +74,10 @@ impl Vm<'_> {
             return Ok(Some(*module));
         }
         let text = self.symbols.text(name).to_string();
+        if text == "collections.abc" {
+            let inner = self.symbols.intern("_collections_abc");
+            return self.load_module(inner);
+        }
         if let Some(items) = modules::native_module(&text) {
             let module = self.native_module(&text, items);
             self.modules.insert(name, module);

@@ -162,6 +162,16 @@ impl Vm<'_> {
         Ok(false)
     }
 
+    /// `e.__traceback__`: there once the exception was raised. What it shows is for people, not for programs.
+    pub(crate) fn traceback(&mut self, exception: Value) -> Value {
+        if self.heap.exception_data(exception).is_none_or(|d| d.traceback.is_empty()) {
+            return Value::None;
+        }
+        let attrs = ["tb_frame", "tb_next"].map(|name| (self.symbols.intern(name), Value::None)).to_vec();
+        let class = Builtin::Traceback.class();
+        Value::Instance(self.heap.alloc(Instance { class, attrs: Attrs::Inline(attrs), base: Base::None }))
+    }
+
     /// `isinstance(value, class)`: tuples, unions and `__instancecheck__` included.
     pub fn isinstance(&mut self, value: Value, class: Value) -> R<bool> {
         match class {

@@ -276,14 +276,7 @@ impl Vm<'_> {
 
     /// At most one item more than is wanted: the iterable may be endless.
     fn unpack_some(&mut self, value: Value, n: usize) -> R<SmallVec<[Value; 4]>> {
-        let iter = match self.iter(value) {
-            Ok(iter) => iter,
-            Err(raise) if self.raised(&raise, Builtin::TypeError) && !matches!(value, Value::Instance(_)) => {
-                let message = format!("cannot unpack non-iterable {} object", self.type_name(value));
-                return Err(self.type_error(message));
-            }
-            Err(raise) => return Err(raise),
-        };
+        let iter = self.iter_to_unpack(value)?;
         let mut items = SmallVec::new();
         while items.len() <= n {
             match self.next(iter)? {
@@ -294,10 +287,21 @@ impl Vm<'_> {
         Ok(items)
     }
 
+    fn iter_to_unpack(&mut self, value: Value) -> R<Value> {
+        match self.iter(value) {
+            Err(raise) if self.raised(&raise, Builtin::TypeError) && self.special(value, sym::ITER).is_none() => {
+                let message = format!("cannot unpack non-iterable {} object", self.type_name(value));
+                Err(self.type_error(message))
+            }
+            other => other,
+        }
+    }
+
     /// `a, *b, c = value`
     pub(super) fn unpack_ex(&mut self, before: usize, after: usize) -> R<()> {
         let value = self.pop();
-        let items = self.collect(value)?;
+        let iter = self.iter_to_unpack(value)?;
+        let items = self.collect(iter)?;
         if items.len() < before + after {
             let message = format!("not enough values to unpack (expected at least {}, got {})", before + after, items.len());
             return Err(self.value_error(message));

@@ -649,7 +649,8 @@ impl Vm<'_> {
                         let n = self.stack.len();
                         let (exit, exception) = (self.stack[n - 2], self.stack[n - 1]);
                         let class = Value::Class(self.class_of(exception));
-                        let said = self.call(exit, &[class, exception, Value::None])?;
+                        let traceback = self.traceback(exception);
+                        let said = self.call(exit, &[class, exception, traceback])?;
                         let truth = self.truth(said)?;
                         self.stack.push(Value::Bool(truth));
                     }
