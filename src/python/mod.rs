@@ -19,8 +19,8 @@ pub mod iter;
 pub mod iterate;
 pub mod modules;
 pub mod native;
-pub mod program;
 pub mod numbers;
+pub mod program;
 #[cfg(test)]
 mod recorded;
 pub mod symbols;

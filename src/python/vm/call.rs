@@ -491,6 +491,8 @@ impl Vm<'_> {
             };
         }
         route! {
+            Int => types::int::construct, Float => types::float::construct, Bool => types::int::construct_bool, Complex => types::complex::construct,
+            Str => types::str::construct, Bytes => types::bytes::construct, ByteArray => types::bytes::construct_array,
             Tuple => types::tuple::construct, List => types::list::construct, Dict => types::dict::construct, Set => types::set::construct,
             FrozenSet => types::set::construct_frozen, Slice => types::slice::construct, Range => types::range::construct,
             Enumerate => types::iterator::construct_enumerate, Zip => types::iterator::construct_zip, Map => types::iterator::construct_map,
@@ -503,7 +505,8 @@ impl Vm<'_> {
         if let Some(tool) = crate::python::modules::itertools::construct(self, index, args)? {
             return Ok(tool);
         }
-        super::pending::construct(self, class, args)
+        let message = format!("cannot create '{}' instances", self.class_name(class));
+        Err(self.type_error(message))
     }
 
     fn construct_layout(&mut self, layout: Layout, args: Args<'_>) -> R<Value> {

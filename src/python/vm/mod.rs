@@ -16,7 +16,6 @@ mod inspect;
 mod limits;
 mod matching;
 mod operate;
-mod pending;
 mod protocol;
 mod provenance;
 mod run;
