@@ -3,12 +3,14 @@
 //! Host objects are [`Value::Host`] (a kind and a number) and [`Value::Record`] (a small immutable value). The machine asks the host
 //! whenever it meets one of them; what the host does not know, it answers with `None`, and Python's own error follows.
 
+use super::code::Program;
 use super::error::R;
 use super::heap::Heap;
 use super::native::Args;
 use super::value::{BinaryOp, UnaryOp, Value};
 use super::vm::HostCx;
 use smallvec::SmallVec;
+use std::sync::Arc;
 
 /// What a name of the host stands for.
 #[derive(Clone, Copy, Debug)]
@@ -26,6 +28,11 @@ pub trait Host {
 
     /// The names that [`lookup`](Host::lookup) knows, for "did you mean" and `dir()`.
     fn names(&self) -> Vec<&'static str>;
+
+    /// The module in Python that an [`Import`](HostName::Import) names, where it is one of the host's own.
+    fn module(&self, _name: &str) -> Option<Arc<Program>> {
+        None
+    }
 
     /// The name of the type, as `type(o).__name__` and error messages say it.
     fn type_name(&self, heap: &Heap, object: Value) -> &'static str;

@@ -83,7 +83,7 @@ impl Vm<'_> {
             self.modules.insert(name, module);
             return Ok(Some(module));
         }
-        let Some(program) = modules::python_module(&text) else { return Ok(None) };
+        let Some(program) = modules::python_module(&text).or_else(|| self.host.module(&text)) else { return Ok(None) };
         let main = self.link(program);
         let module = self.new_module(&text, main);
         self.modules.insert(name, module);

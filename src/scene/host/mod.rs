@@ -8,14 +8,18 @@ mod convert;
 mod facing;
 mod names;
 mod paths;
+mod run;
 mod vector;
 
-pub use names::MODULES;
 pub use paths::{bound_in_loops, name_after_globals};
+pub use run::{Run, run};
+
+use std::sync::Arc;
 
 use smallvec::SmallVec;
 
 use crate::python::classes::Builtin;
+use crate::python::code::Program;
 use crate::python::error::{R, Raise};
 use crate::python::heap::Heap;
 use crate::python::host::{Host, HostName};
@@ -244,6 +248,10 @@ impl Host for SceneHost {
         names::all().collect()
     }
 
+    fn module(&self, name: &str) -> Option<Arc<Program>> {
+        names::module(name)
+    }
+
     fn type_name(&self, _: &Heap, object: Value) -> &'static str {
         match Thing::of(object) {
             Some(Thing::Target(Target::Scene)) => "Scene",
@@ -363,3 +371,6 @@ impl Host for SceneHost {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

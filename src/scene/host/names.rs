@@ -1,8 +1,13 @@
 //! The names that every program has.
 
+use std::sync::{Arc, OnceLock};
+
+use crate::python::code::Program;
 use crate::python::host::HostName;
+use crate::python::program::build;
 use crate::python::value::Value;
 use crate::scene::terms::{Cardinal, Kind, Support, Target};
+use crate::syntax::{Tuning, parse};
 
 use super::Thing;
 
@@ -105,12 +110,24 @@ const IMPORTS: [(&str, &str, &str); 16] = [
     ("Support", "_scene_enums", "Support"),
 ];
 
-/// The modules in Python behind some of the names: name and source.
-pub const MODULES: [(&str, &str); 3] = [
+/// The modules in Python behind some of the names.
+const MODULES: [(&str, &str); 3] = [
     ("_scene_math", include_str!("lib/math.py")),
     ("_scene_random", include_str!("lib/random.py")),
     ("_scene_enums", include_str!("lib/enums.py")),
 ];
+
+static PROGRAMS: [OnceLock<Option<Arc<Program>>>; MODULES.len()] = [const { OnceLock::new() }; MODULES.len()];
+
+/// A module behind some of the names, compiled once in a process.
+pub(super) fn module(name: &str) -> Option<Arc<Program>> {
+    let index = MODULES.iter().position(|(known, _)| *known == name)?;
+    let compiled = |text: &str| {
+        let parsed = parse(text);
+        if parsed.is_complete() { build(&parsed, text, &Tuning::default()).ok() } else { None }
+    };
+    PROGRAMS[index].get_or_init(|| compiled(MODULES[index].1)).clone()
+}
 
 /// What a name means.
 pub(super) fn lookup(name: &str) -> Option<HostName> {
@@ -136,4 +153,14 @@ pub(super) fn all() -> impl Iterator<Item = &'static str> {
     let supports = SUPPORTS.iter().map(|(name, _)| *name);
     let functions = Function::ALL.into_iter().map(Function::name);
     SCENES.into_iter().chain(functions).chain(supports).chain(cardinals).chain(IMPORTS.iter().map(|(name, ..)| *name))
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_modules_behind_the_names_compile() {
+        for (name, _) in super::MODULES {
+            assert!(super::module(name).is_some(), "{name}");
+        }
+    }
 }

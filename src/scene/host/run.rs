@@ -1,0 +1,42 @@
+//! A program run on a scene: what it leaves behind.
+
+use std::sync::Arc;
+
+use rustc_hash::FxHashSet;
+
+use crate::python::code::Program;
+use crate::python::vm::{Options, Outcome, Vm};
+use crate::scene::layout::Layout;
+use crate::trace::Trace;
+
+use super::SceneHost;
+use super::paths::name_after_globals;
+
+/// A run and its result.
+#[derive(Debug)]
+pub struct Run {
+    /// Where everything is in the end; of a program that raised, what it did up to then.
+    pub layout: Layout,
+    /// How it ended.
+    pub outcome: Outcome,
+    /// The record, where one was asked for.
+    pub trace: Trace,
+}
+
+/// Runs a compiled program on a scene. `in_loops` are the names that [`bound_in_loops`](super::bound_in_loops) finds in its text;
+/// what it prints goes to `output`.
+pub fn run(
+    program: Arc<Program>,
+    in_loops: &FxHashSet<String>,
+    mut host: SceneHost,
+    options: Options<'_>,
+    output: &mut dyn FnMut(&str),
+) -> Run {
+    let mut vm = Vm::new(&mut host, output, options);
+    let outcome = vm.run_program(program);
+    let roots = name_after_globals(&vm.heap, &vm.symbols, vm.globals(), in_loops);
+    let mut trace = std::mem::take(&mut vm.trace);
+    drop(vm);
+    let layout = host.into_layout(&mut trace, roots);
+    Run { layout, outcome, trace }
+}
