@@ -1,0 +1,17 @@
+def t(f):
+    try:
+        print(f())
+    except Exception as e:
+        print(type(e).__name__, e, sep=": ")
+b = b"Hello World"
+print(b.upper(), b.lower(), b.title(), b.swapcase(), b.capitalize(), b.find(b"o"), b.rfind(b"o"), b.find(111), b.index(b"W"), b.count(b"l"), b.count(108), b.replace(b"l", b"L", 2), b.split(), b.split(b"o"), b.rsplit(b" ", 1), b.partition(b" "), b.rpartition(b"o"), b.startswith(b"He"), b.endswith((b"x", b"ld")), b.strip(b"Hd"), b.center(15, b"*"), b.ljust(13) + b"|", b.rjust(13, b"."), b.zfill(15), b.join([b"a", b"c"]), b.hex(), b.hex(":"), b.hex("_", 2), b.isalpha(), b"ab1".isalnum(), b"12".isdigit(), b" ".isspace(), b"AB".isupper(), b"ab".islower(), b"Ab".istitle(), b"a".isascii(), b"a\tb".expandtabs(4), b"a\nb\r\n".splitlines(), b"a\nb".splitlines(True), b.translate(None, b"l"), b"abc".translate(bytes.maketrans(b"ab", b"xy")), b.removeprefix(b"Hello "), b.removesuffix(b"ld"), b.decode(), b[0], b[-1], b[1:4], b[::-2], len(b), list(b[:3]), max(b), min(b), sorted(b"cab"), sum(b"ab"), 72 in b, b"World" in b, b * 2, b + b"!", b == b"Hello World", b < b"I", hash(b) == hash(b"Hello World"), bool(b""), bytes(b) is b)
+print(bytes(), bytes(3), bytes([1, 255]), bytes(range(3)), bytes("é", "utf-8"), bytes("é", "latin-1"), bytes(b"x"), bytes.fromhex("ff 00 Aa"), bytes((65, 66)), bytes(x for x in [1]), b"a" b"b", b"%d %s" % (5, b"x"), b"%r" % "a", b"%05.1f" % 2.25, repr(b"\x00\t'\"\\"), str(b"a"), f"{b'a'}", b"\x41", rb"\x41", b"abc".__getitem__(0), b"\xc3\xa9".decode(), b"\xe9".decode("latin1"), b"a\xffb".decode("utf-8", "ignore"), b"a\xffb".decode("utf-8", "replace"), b"a\xffb".decode("utf-8", "backslashreplace"), b"\x80abc".decode("ascii", "replace"))
+for f in (lambda: b"a" + "b", lambda: b"a".join(["b"]), lambda: b"abc".index(b"z"), lambda: b"a".split(""), lambda: b"a".split(b""), lambda: bytes([256]), lambda: bytes([-1]), lambda: bytes(["a"]), lambda: bytes("a"), lambda: bytes(-5), lambda: bytes(1.5), lambda: bytes(None), lambda: bytes.fromhex("abc"), lambda: bytes.fromhex("zz"), lambda: b"\xff".decode(), lambda: b"\xff".decode("ascii"), lambda: b"abc".decode("nope"), lambda: b"a"["x"], lambda: b"a"[5], lambda: "a" in b"a", lambda: 300 in b"a", lambda: b"a".replace("a", "b"), lambda: b"a".find("a"), lambda: b"a".startswith("a"), lambda: b"a".center(5, b"xx"), lambda: b"a" < "b", lambda: b"%s" % "a", lambda: b"%d" % b"x", lambda: b"a" * b"b", lambda: b"a".foo, lambda: b"a".strip("a"), lambda: bytes.maketrans(b"a", b"bc"), lambda: b"\xe2\x82".decode(), lambda: b"\xed\xa0\x80".decode(), lambda: b"\xf8".decode(), lambda: b"\xc0\x80".decode()):
+    t(f)
+ba = bytearray(b"abc")
+ba[1] = 66; ba[0:1] = b"XY"; ba += b"z"; ba.append(33); ba.extend([48, 49]); ba.insert(0, 46)
+print(ba, len(ba), ba.pop(), ba.pop(0), ba, ba.remove(66), ba, ba.reverse(), ba, bytes(ba), ba.copy(), ba * 2, ba.find(b"c"), ba.upper(), ba.decode(), ba[0], ba[:2], ba == b"0!zcYX", b"0" + ba, ba + b"0", type(ba + b"").__name__, ba.hex(), ba.split(b"z"), ba.startswith(b"0"), bytearray(3), bytearray("é", "utf8"), bytearray([1, 2]), list(ba), sorted(ba)[:2])
+del ba[0]; del ba[::2]
+print(ba, ba.clear(), ba, not ba)
+for f in (lambda: bytearray([256]), lambda: bytearray("a"), lambda: hash(bytearray()), lambda: bytearray().pop(), lambda: bytearray(b"a").append("a"), lambda: bytearray(b"a").append(300), lambda: bytearray(b"a").remove(5), lambda: bytearray(b"a").extend("ab"), lambda: bytearray(b"a").extend(5), lambda: {bytearray(): 1}):
+    t(f)

@@ -1,0 +1,5 @@
+def bad():
+    yield 1
+    raise StopIteration("leaks")
+print(next(bad()))
+print(list(bad()))
