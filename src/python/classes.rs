@@ -191,6 +191,11 @@ impl Builtin {
         ROWS[self as usize].name
     }
 
+    /// The name of a builtin class with its module, where that is not `builtins`: `types.UnionType`.
+    pub fn full_name(class: Ref<Class>) -> Option<&'static str> {
+        ROWS.get(class.index() as usize).map(|row| row.name)
+    }
+
     /// The builtin class of this name that programs reach without an import.
     pub fn by_name(name: &str) -> Option<Builtin> {
         let position = ROWS.iter().position(|row| row.name == name)?;

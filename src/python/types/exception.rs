@@ -195,7 +195,7 @@ fn os_part(vm: &Vm<'_>, args: Args<'_>, part: usize) -> Value {
 }
 
 /// The exceptions of a group.
-fn members(vm: &Vm<'_>, group: Value) -> Vec<Value> {
+pub(crate) fn members(vm: &Vm<'_>, group: Value) -> Vec<Value> {
     match arguments(vm, group).get(1) {
         Some(Value::Tuple(t)) => vm.heap[*t].0.to_vec(),
         Some(Value::List(l)) => vm.heap[*l].0.clone(),
@@ -293,4 +293,21 @@ fn derived(vm: &mut Vm<'_>, group: Value, members: Vec<Value>) -> R<Value> {
         vm.set_own_attr(made, sym::NOTES, copy);
     }
     Ok(made)
+}
+
+/// A group like this one with only these leaves.
+pub(crate) fn project(vm: &mut Vm<'_>, group: Value, leaves: &[Value]) -> R<Value> {
+    let mut kept = Vec::new();
+    for member in members(vm, group) {
+        if vm.is_instance(member, Builtin::BaseExceptionGroup) {
+            let inner = vm.nested("", |vm| project(vm, member, leaves))?;
+            kept.extend(Some(inner).filter(|v| !v.is_none()));
+        } else if leaves.iter().any(|l| l.is(member)) {
+            kept.push(member);
+        }
+    }
+    if kept.len() == members(vm, group).len() && kept.iter().zip(members(vm, group)).all(|(a, b)| a.is(b)) {
+        return Ok(group);
+    }
+    derived(vm, group, kept)
 }

@@ -51,6 +51,9 @@ impl Vm<'_> {
         let text = self.symbols.text(name).to_string();
         let type_name = self.type_name(object);
         let message = match self.class_attr(class, name) {
+            Some(Value::Native(n)) if n.kind == NativeKind::Getter => {
+                format!("attribute '{text}' of '{type_name}' objects is not writable")
+            }
             Some(_) => format!("'{type_name}' object attribute '{text}' is read-only"),
             None => format!("'{type_name}' object has no attribute '{text}'"),
         };
@@ -256,6 +259,9 @@ impl Vm<'_> {
                     let owner = self.heap[d].class;
                     if let Some(hook) = self.class_attr(owner, sym::DELETE) {
                         return self.call_unbound(hook, on_class, &[object]).map(|_| ());
+                    }
+                    if self.class_attr(owner, sym::SET).is_some() {
+                        return Err(self.error(Builtin::AttributeError, "__delete__".to_string()));
                     }
                 }
                 _ => {}

@@ -253,9 +253,9 @@ impl Vm<'_> {
     pub(crate) fn symbols_dict(&mut self, items: impl IntoIterator<Item = (Symbol, Value)>) -> Ref<Dict> {
         let dict = self.heap.dict();
         for (name, value) in items {
-            let Value::Str(key) = self.symbol_text(name) else { continue };
-            let hash = self.heap[key].hash();
-            self.heap[dict].0.push(hash, Value::Str(key), value);
+            let key = self.symbol_text(name);
+            // A text hashes without running code, and these names differ: nothing can be raised but for want of steps.
+            let _ = self.dict_set(dict, key, value);
         }
         dict
     }

@@ -199,7 +199,18 @@ impl Vm<'_> {
 
     fn prepare_namespace(&mut self, meta: Value, name: Value, bases: Value, keywords: &[(Symbol, Value)]) -> R<Value> {
         match self.get_attr_opt(meta, sym::PREPARE)? {
-            Some(prepare) => self.call_with(prepare, Args { pos: &[name, bases], kw: keywords }),
+            Some(prepare) => {
+                let namespace = self.call_with(prepare, Args { pos: &[name, bases], kw: keywords })?;
+                if !matches!(self.plain(namespace), Value::Dict(_)) && self.special(namespace, sym::GETITEM).is_none() {
+                    let who = match meta {
+                        Value::Class(c) => self.class_name(c),
+                        _ => "<metaclass>".to_string(),
+                    };
+                    let message = format!("{who}.__prepare__() must return a mapping, not {}", self.type_name(namespace));
+                    return Err(self.type_error(message));
+                }
+                Ok(namespace)
+            }
             None => Ok(Value::Dict(self.heap.dict())),
         }
     }

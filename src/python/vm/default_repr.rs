@@ -50,7 +50,7 @@ impl Vm<'_> {
     pub fn full_class_name(&mut self, class: Ref<Class>) -> String {
         let name = self.display(self.heap[class].qualname);
         if self.heap[class].builtin {
-            return name;
+            return Builtin::full_name(class).map_or(name, str::to_string);
         }
         match self.class_attr(class, sym::MODULE).map(|m| self.display(m)) {
             Some(module) if !module.is_empty() && module != "builtins" => format!("{module}.{name}"),

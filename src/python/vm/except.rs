@@ -204,15 +204,16 @@ impl Vm<'_> {
         if matches!(class, Value::Class(c) if self.is_subclass(c, Builtin::BaseExceptionGroup.class())) {
             return Err(self.type_error("catching ExceptionGroup with except* is not allowed. Use except instead."));
         }
+        if exception.is_none() {
+            return Ok((Value::None, Value::None));
+        }
         if !self.is_instance(exception, Builtin::BaseExceptionGroup) {
             if !self.exception_matches(exception, class)? {
                 return Ok((Value::None, exception));
             }
             let text = self.heap.str("");
-            let members = self.heap.tuple([exception].as_slice());
-            let all_plain = self.is_instance(exception, Builtin::Exception);
-            let kind = if all_plain { Builtin::ExceptionGroup } else { Builtin::BaseExceptionGroup };
-            let group = self.call(kind.value(), &[text, members])?;
+            let members = self.heap.list(vec![exception]);
+            let group = self.call(Builtin::BaseExceptionGroup.value(), &[text, members])?;
             return Ok((group, Value::None));
         }
         let name = self.symbols.intern("split");
@@ -224,19 +225,57 @@ impl Vm<'_> {
         }
     }
 
-    /// The end of a `try … except*`: what is still to be raised.
+    /// The end of a `try … except*`: what is still to be raised. Parts of the original come back as one group like the original.
     pub(super) fn finish_group(&mut self, original: Value, raised: &[Value]) -> R<Value> {
-        let left: Vec<Value> = raised.iter().copied().filter(|v| !v.is_none()).collect();
-        if left.is_empty() {
+        let raised: Vec<Value> = raised.iter().copied().filter(|v| !v.is_none()).collect();
+        if raised.is_empty() {
             return Ok(Value::None);
         }
-        let original_is_group = self.is_instance(original, Builtin::BaseExceptionGroup);
-        if left.len() == 1 && (left[0].is(original) || !original_is_group || self.is_instance(left[0], Builtin::BaseExceptionGroup)) {
-            return Ok(left[0]);
+        if !self.is_instance(original, Builtin::BaseExceptionGroup) {
+            // The wrapped exception itself goes on where nobody touched it.
+            return Ok(match raised.as_slice() {
+                [one] if self.group_leaves(*one).iter().any(|l| l.is(original)) => original,
+                [one] => *one,
+                _ => return self.new_group(raised),
+            });
         }
+        let own = self.group_leaves(original);
+        let (mut parts, mut fresh) = (Vec::new(), Vec::new());
+        for exception in raised {
+            let leaves = self.group_leaves(exception);
+            let is_part = self.is_instance(exception, Builtin::BaseExceptionGroup) && leaves.iter().all(|l| own.iter().any(|o| o.is(*l)));
+            if is_part { parts.extend(leaves) } else { fresh.push(exception) }
+        }
+        if !parts.is_empty() {
+            let projected = crate::python::types::exception::project(self, original, &parts)?;
+            if fresh.is_empty() {
+                return Ok(projected);
+            }
+            fresh.push(projected);
+        } else if let [one] = fresh.as_slice() {
+            return Ok(*one);
+        }
+        self.new_group(fresh)
+    }
+
+    fn new_group(&mut self, members: Vec<Value>) -> R<Value> {
         let text = self.heap.str("");
-        let members = self.heap.tuple(left);
+        let members = self.heap.list(members);
         self.call(Builtin::BaseExceptionGroup.value(), &[text, members])
+    }
+
+    /// The exceptions of a group that are no groups themselves.
+    fn group_leaves(&self, exception: Value) -> Vec<Value> {
+        let mut leaves = Vec::new();
+        let mut todo = vec![exception];
+        while let Some(at) = todo.pop() {
+            if self.is_instance(at, Builtin::BaseExceptionGroup) {
+                todo.extend(crate::python::types::exception::members(self, at));
+            } else {
+                leaves.push(at);
+            }
+        }
+        leaves
     }
 
     /// `with`: the bound `__exit__`, then what `__enter__` returned.

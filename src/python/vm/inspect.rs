@@ -59,12 +59,12 @@ impl Vm<'_> {
         let linked = self.codes[self.frame.code.0 as usize].clone();
         let code = linked.code();
         let base = self.frame.base as usize;
-        let Some(free) = code.frees.iter().position(|n| &**n == "__class__") else {
-            return Err(self.error(Builtin::RuntimeError, "super(): __class__ cell not found".to_string()));
-        };
         if code.params.positional == 0 {
             return Err(self.error(Builtin::RuntimeError, "super(): no arguments".to_string()));
         }
+        let Some(free) = code.frees.iter().position(|n| &**n == "__class__") else {
+            return Err(self.error(Builtin::RuntimeError, "super(): __class__ cell not found".to_string()));
+        };
         let class = match self.stack[base + code.locals.len() + code.cells.len() + free] {
             Value::Cell(cell) => self.heap[cell].0,
             _ => Value::Undefined,

@@ -198,7 +198,13 @@ impl Vm<'_> {
         if let Value::Instance(_) = value {
             let spec = self.heap.str(spec);
             if let Some(said) = self.call_special(value, sym::FORMAT, &[spec])? {
-                return self.expect_text(said, "__format__");
+                return match self.plain(said) {
+                    Value::Str(s) => Ok(self.heap[s].text.to_string()),
+                    _ => {
+                        let message = format!("__format__ must return a str, not {}", self.type_name(said));
+                        Err(self.type_error(message))
+                    }
+                };
             }
         }
         if spec.is_empty() {
@@ -314,18 +320,19 @@ impl Vm<'_> {
         Ok(())
     }
 
-    /// The items of `*value` in a display.
+    /// The items of `*value` in a list or tuple display.
     pub(super) fn collect_starred(&mut self, value: Value) -> R<Vec<Value>> {
         match self.collect(value) {
-            Err(raise)
-                if self.raised(&raise, Builtin::TypeError)
-                    && !matches!(value, Value::Instance(_) | Value::Generator(_) | Value::Iter(_)) =>
-            {
+            Err(raise) if self.raised(&raise, Builtin::TypeError) && !self.is_iterable(value) => {
                 let message = format!("Value after * must be an iterable, not {}", self.type_name(value));
                 Err(self.type_error(message))
             }
             other => other,
         }
+    }
+
+    fn is_iterable(&mut self, value: Value) -> bool {
+        matches!(value, Value::Iter(_)) || self.special(value, sym::ITER).is_some() || self.special(value, sym::GETITEM).is_some()
     }
 
     /// The arguments of `f(*value)`.

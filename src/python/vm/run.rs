@@ -495,7 +495,7 @@ impl Vm<'_> {
                     }
                     Op::SetUpdate => {
                         let iterable = self.pop();
-                        let items = self.collect_starred(iterable)?;
+                        let items = self.collect(iterable)?;
                         if let Value::Set(s) = self.top() {
                             for item in items {
                                 self.set_add(s, item)?;
