@@ -52,7 +52,7 @@ builtins! {
     Method = "method", [Object], Sealed, types::function::METHOD;
     Generator = "generator", [Object], Sealed, types::function::GENERATOR;
     Module = "module", [Object], Sealed, &[];
-    Cell = "cell", [Object], Sealed, &[];
+    Cell = "cell", [Object], Sealed, types::function::CELL;
     Property = "property", [Object], Property, types::function::PROPERTY;
     ClassMethod = "classmethod", [Object], Sealed, types::function::CLASS_METHOD;
     StaticMethod = "staticmethod", [Object], Sealed, types::function::STATIC_METHOD;

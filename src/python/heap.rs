@@ -429,6 +429,8 @@ macro_rules! heap {
         #[derive(Default, Debug)]
         pub struct Heap {
             $(pub(super) $field: Arena<$type>,)*
+            /// The empty tuple, once it was asked for; a root.
+            pub(super) empty_tuple: Option<Ref<Tuple>>,
             /// Bytes in use, roughly: what the memory limit is about.
             pub bytes: usize,
         }
@@ -532,8 +534,21 @@ impl Heap {
     }
 
     /// A new `tuple`.
+    /// There is one empty tuple.
     pub fn tuple(&mut self, items: impl Into<SmallVec<[Value; 3]>>) -> Value {
-        Value::Tuple(self.alloc(Tuple(items.into())))
+        let items = items.into();
+        if !items.is_empty() {
+            return Value::Tuple(self.alloc(Tuple(items)));
+        }
+        let empty = match self.empty_tuple {
+            Some(empty) => empty,
+            None => {
+                let empty = self.alloc(Tuple(items));
+                self.empty_tuple = Some(empty);
+                empty
+            }
+        };
+        Value::Tuple(empty)
     }
 
     /// A new `list`.

@@ -97,6 +97,12 @@ pub const CLASS_METHOD: &[Native] =
 pub const STATIC_METHOD: &[Native] =
     &[Native::getter("__func__", wrapped), Native::getter("__wrapped__", wrapped), Native::raw("__get__", 1, 2, get)];
 
+/// The cells of `f.__closure__`.
+pub const CELL: &[Native] = &[Native::getter("cell_contents", |vm, a| match a.at(0) {
+    Value::Cell(c) if !vm.heap[c].0.is_undefined() => Ok(vm.heap[c].0),
+    _ => Err(vm.value_error("Cell is empty")),
+})];
+
 fn call(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     vm.call_with(args.at(0), Args { pos: &args.pos[1..], kw: args.kw })
 }

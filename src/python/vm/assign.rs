@@ -237,7 +237,8 @@ impl Vm<'_> {
                     _ => Err(self.no_attribute(object, name)),
                 }
             }
-            _ => Err(self.no_attribute(object, name)),
+            Value::Host(_) | Value::Record(_) => Err(self.no_attribute(object, name)),
+            _ => Err(self.cannot_set(object, name)),
         }
     }
 

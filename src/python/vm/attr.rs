@@ -271,7 +271,8 @@ impl Vm<'_> {
                 if let Base::Value(Value::Property(_)) = self.heap[i].base {
                     return true;
                 }
-                self.class_attr(class, sym::SET).is_some() || self.class_attr(class, sym::DELETE).is_some()
+                let sets = self.class_attr(class, sym::SET).is_some() || self.class_attr(class, sym::DELETE).is_some();
+                sets && self.class_attr(class, sym::GET).is_some()
             }
             _ => false,
         }

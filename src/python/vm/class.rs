@@ -79,7 +79,13 @@ impl Vm<'_> {
             }
             sym::DICT => {
                 self.load_natives(class);
-                let items: Vec<(Symbol, Value)> = self.heap[class].attrs.iter().map(|(k, v)| (*k, *v)).collect();
+                let mut items: Vec<(Symbol, Value)> = self.heap[class].attrs.iter().map(|(k, v)| (*k, *v)).collect();
+                let inherits_dict = self.heap[class].bases.iter().any(|b| !self.heap[*b].builtin);
+                if !self.heap[class].builtin && self.heap[class].slots.is_none() && !inherits_dict {
+                    let at = items.iter().position(|p| p.0 == sym::DOC).unwrap_or(items.len());
+                    items.insert(at, (sym::DICT, Value::Ellipsis));
+                    items.insert(at + 1, (sym::WEAKREF, Value::Ellipsis));
+                }
                 let dict = self.symbols_dict(items);
                 Value::Proxy(self.heap.alloc(Wrapped(Value::Dict(dict))))
             }
@@ -270,8 +276,30 @@ impl Vm<'_> {
         }
         self.fill_namespace(class, namespace)?;
         self.make_slots(class)?;
+        self.ask_for_mro(class)?;
         self.announce_class(class, keywords)?;
         Ok(Value::Class(class))
+    }
+
+    /// A metaclass may have a say in the order of resolution.
+    fn ask_for_mro(&mut self, class: Ref<Class>) -> R<()> {
+        let meta = self.heap[class].meta;
+        let name = self.symbols.intern("mro");
+        let Some(hook) = self.class_attr(meta, name).filter(|h| !matches!(h, Value::Native(_))) else { return Ok(()) };
+        let order = self.call_unbound(hook, Value::Class(class), &[])?;
+        let mut mro = Vec::new();
+        for entry in self.collect(order)? {
+            match entry {
+                Value::Class(c) => mro.push(c),
+                other => {
+                    let message = format!("mro() returned a non-class ('{}')", self.type_name(other));
+                    return Err(self.type_error(message));
+                }
+            }
+        }
+        self.heap[class].mro = mro;
+        self.attr_cache.clear();
+        Ok(())
     }
 
     fn fill_namespace(&mut self, class: Ref<Class>, namespace: Value) -> R<()> {
@@ -407,7 +435,13 @@ impl Vm<'_> {
         while lists.iter().any(|l| !l.is_empty()) {
             let next = lists.iter().filter_map(|l| l.first().copied()).find(|c| !lists.iter().any(|l| l.iter().skip(1).any(|x| x == c)));
             let Some(next) = next else {
-                let names: Vec<String> = bases.iter().map(|b| self.class_name(*b)).collect();
+                let mut heads: Vec<Ref<Class>> = lists.iter().filter_map(|l| l.first().copied()).collect();
+                for at in (1..heads.len()).rev() {
+                    if heads[..at].contains(&heads[at]) {
+                        heads.remove(at);
+                    }
+                }
+                let names: Vec<String> = heads.iter().map(|b| self.class_name(*b)).collect();
                 let message = format!("Cannot create a consistent method resolution\norder (MRO) for bases {}", names.join(", "));
                 return Err(self.type_error(message));
             };

@@ -92,9 +92,13 @@ impl Vm<'_> {
     fn set_context(&mut self, exception: Value) {
         let Some(&current) = self.handling.last() else { return };
         let fresh = self.heap.exception_data(exception).is_some_and(|d| d.traceback.is_empty() && d.context.is_none());
-        if !fresh || current.is(exception) {
-            return;
+        if fresh && !current.is(exception) {
+            self.link_context(exception, current);
         }
+    }
+
+    /// `exception` was raised while `current` was being handled.
+    fn link_context(&mut self, exception: Value, current: Value) {
         // Never a circle: cut the chain of the current one where it reaches the new one.
         let mut at = current;
         for _ in 0..1000 {
@@ -159,10 +163,8 @@ impl Vm<'_> {
         }
         if let Some(&current) = self.handling.last()
             && !current.is(exception)
-            && let Some(data) = self.heap.exception_data_mut(exception)
-            && data.context.is_none()
         {
-            data.context = current;
+            self.link_context(exception, current);
         }
         Raise::Exception(exception)
     }
@@ -212,7 +214,7 @@ impl Vm<'_> {
                 return Ok((Value::None, exception));
             }
             let text = self.heap.str("");
-            let members = self.heap.list(vec![exception]);
+            let members = self.heap.tuple([exception].as_slice());
             let group = self.call(Builtin::BaseExceptionGroup.value(), &[text, members])?;
             return Ok((group, Value::None));
         }

@@ -86,6 +86,9 @@ impl Vm<'_> {
         roots.extend(self.modules.values().map(|m| Value::Module(*m)));
         roots.extend(self.codes.iter().flat_map(|c| c.consts.iter().copied()));
         roots.extend((0..self.first_classes).map(|i| Value::Class(crate::python::heap::Ref::new(i))));
+        roots.extend(self.heap.empty_tuple.map(Value::Tuple));
+        roots.extend(self.builtins.values());
+        roots.extend(self.codes.iter().flat_map(|c| [c.name, c.qualname, c.doc]));
         roots.extend(self.failures.iter().map(|f| f.exception));
         self.attr_cache.clear();
         self.heap.collect(roots);

@@ -69,7 +69,7 @@ impl Vm<'_> {
     /// The attributes that a class pattern binds; None where it does not match.
     pub(super) fn match_class(&mut self, subject: Value, class: Value, positional: usize, names: Value) -> R<Value> {
         let Value::Class(c) = class else {
-            return Err(self.type_error("called match pattern must be a class"));
+            return Err(self.type_error("called match pattern must be a type"));
         };
         if !self.isinstance(subject, class)? {
             return Ok(Value::None);
