@@ -24,7 +24,7 @@ for bad in ("from math import nothing_here", "import collections.nope"):
 try:
     from collections import nothing_here
 except ImportError as e: print(type(e).__name__, str(e).split(" (")[0])
-print(math.__name__, collections.abc.__name__, c.__name__, type(math).__name__, hasattr(math, "nope"), math is __import__("math") if False else True, "sin" in dir(math), vars(math)["pi"] == pi)
+print(math.__name__, collections.abc.__name__, c.__name__, type(math).__name__, hasattr(math, "nope"), "sin" in dir(math), vars(math)["pi"] == pi)
 try: math.nope
 except AttributeError as e: print(e)
 import math
