@@ -1,8 +1,10 @@
 //! The door of the parser: text → tree, names and errors.
 
+use ruff_python_ast::token::Token;
 use ruff_python_ast::{AtomicNodeIndex, ModModule, PythonVersion, Stmt, Suite};
 use ruff_python_parser::{Mode, ParseError, ParseOptions, UnsupportedSyntaxError};
 use ruff_text_size::{Ranged, TextRange, TextSize};
+use rustc_hash::FxHashSet;
 
 use super::depth::measure;
 use super::error::{ErrorKind, SyntaxError};
@@ -24,9 +26,11 @@ const SHALLOW: usize = 64;
 const MAX_ERRORS: usize = 100;
 /// The most errors of the parser that are put into words, to choose those from.
 const MAX_READ_ERRORS: usize = 10_000;
-/// Stack for walks over deep trees, and for freeing those that were too deep to keep.
+/// Stack for walks over deep trees.
 const WALK_STACK: usize = 16 << 20;
-const DROP_STACK: usize = 64 << 20;
+/// Where the scan expects trees deeper than this, they are built, measured and freed on a stack of their own.
+const DEEP: u32 = 300;
+const DEEP_STACK: usize = 64 << 20;
 
 /// A text, read.
 #[derive(Clone, Debug)]
@@ -37,6 +41,7 @@ pub struct Parsed {
     pub scopes: Scopes,
     /// In the order of the text; the first hundred.
     pub errors: Vec<SyntaxError>,
+    tokens: Vec<Token>,
     whole: Vec<bool>,
     depth: usize,
 }
@@ -55,6 +60,11 @@ impl Parsed {
     /// The top-level statements that hold no error.
     pub fn whole_statements(&self) -> impl Iterator<Item = &Stmt> {
         self.module.body.iter().zip(&self.whole).filter_map(|(stmt, whole)| whole.then_some(stmt))
+    }
+
+    /// Names, numbers, operators, comments, line ends… in the order of the text.
+    pub fn tokens(&self) -> &[Token] {
+        &self.tokens
     }
 
     /// How deep statements, expressions and patterns stand inside each other: at most [`MAX_DEPTH`].
@@ -82,7 +92,7 @@ pub fn parse(text: &str) -> Parsed {
         scanned.cut = Some(head.rfind('\n').map_or(0, |end| end + 1));
     }
     if scanned.fences.is_empty() {
-        return parse_scanned(head, scanned);
+        return on_stack(scanned.deepest, || parse_scanned(head, scanned));
     }
     let (blanked, errors) = fences::without(head, &scanned.fences, is_program);
     let mut again = scan(&blanked);
@@ -91,13 +101,18 @@ pub fn parse(text: &str) -> Parsed {
     }
     again.errors.extend(scanned.errors.into_iter().filter(|error| error.kind == ErrorKind::TooBig));
     again.errors.extend(errors);
-    parse_scanned(&blanked, again)
+    on_stack(again.deepest, || parse_scanned(&blanked, again))
+}
+
+/// Runs what builds and frees trees that the scan expects to be this deep.
+fn on_stack<R>(deepest: u32, run: impl FnOnce() -> R) -> R {
+    if deepest <= DEEP { run() } else { stacker::grow(DEEP_STACK, run) }
 }
 
 /// Text that is Python as it stands.
 fn is_program(text: &str) -> bool {
     let scanned = scan(text);
-    scanned.errors.is_empty() && scanned.cut.is_none() && run_parser(text, &[]).errors.is_empty()
+    scanned.errors.is_empty() && scanned.cut.is_none() && on_stack(scanned.deepest, || run_parser(text, &[]).errors.is_empty())
 }
 
 /// What the parser made of a text.
@@ -105,13 +120,14 @@ struct Tree {
     module: ModModule,
     errors: Vec<ParseError>,
     unsupported: Vec<UnsupportedSyntaxError>,
+    tokens: Vec<Token>,
 }
 
 /// Parses the text, afresh from each split.
 fn run_parser(text: &str, splits: &[usize]) -> Tree {
     let options = ParseOptions::from(Mode::Module).with_target_version(PythonVersion::PY314);
     let module = ModModule { node_index: AtomicNodeIndex::NONE, range: TextRange::up_to(size(text.len())), body: Suite::new() };
-    let mut tree = Tree { module, errors: Vec::new(), unsupported: Vec::new() };
+    let mut tree = Tree { module, errors: Vec::new(), unsupported: Vec::new(), tokens: Vec::new() };
     let ends = splits.iter().copied().filter(|split| *split < text.len()).chain([text.len()]);
     let mut start = 0;
     for end in ends {
@@ -124,6 +140,7 @@ fn run_parser(text: &str, splits: &[usize]) -> Tree {
         let errors = parsed.errors().iter();
         tree.errors.extend(errors.map(|error| ParseError { error: error.error.clone(), location: inside(error.location) }));
         tree.unsupported.extend_from_slice(parsed.unsupported_syntax_errors());
+        tree.tokens.extend_from_slice(parsed.tokens());
         let next = parsed.into_syntax().body;
         if tree.module.body.is_empty() {
             tree.module.body = next;
@@ -137,7 +154,7 @@ fn run_parser(text: &str, splits: &[usize]) -> Tree {
 
 fn parse_scanned(text: &str, scanned: Scan) -> Parsed {
     let text = scanned.cut.map_or(text, |cut| &text[..cut]);
-    let Tree { mut module, errors: found, unsupported: newer } = run_parser(text, &scanned.splits);
+    let Tree { mut module, errors: found, unsupported: newer, tokens } = run_parser(text, &scanned.splits);
     let mut errors = scanned.errors;
     let confused: Vec<TextRange> = errors.iter().filter_map(|cause| confused_by(cause, &scanned.splits, text)).collect();
     let depth = limit_depth(&mut module, &mut errors);
@@ -161,7 +178,7 @@ fn parse_scanned(text: &str, scanned: Scan) -> Parsed {
     errors.sort_by_key(|error| error.range.start());
     errors.dedup_by_key(|error| error.range.start());
     errors.truncate(MAX_ERRORS);
-    Parsed { module, scopes, errors, whole, depth }
+    Parsed { module, scopes, errors, tokens, whole, depth }
 }
 
 /// The parser's errors that say something new: one a line, and none that only echo the scan's.
@@ -213,19 +230,22 @@ fn size(at: usize) -> TextSize {
 /// Takes out the statements that nest too deep, each with an error; returns the depth of the rest.
 fn limit_depth(module: &mut ModModule, errors: &mut Vec<SyntaxError>) -> usize {
     let mut deepest = 0;
-    let mut too_deep = Vec::new();
+    let mut too_deep = FxHashSet::default();
     for (at, stmt) in module.body.iter().enumerate() {
         match measure(stmt, MAX_DEPTH) {
             Ok(depth) => deepest = deepest.max(depth),
             Err(range) => {
                 errors.push(SyntaxError::too_big(range, "expression nested too deeply"));
-                too_deep.push(at);
+                too_deep.insert(at);
             }
         }
     }
     if !too_deep.is_empty() {
-        let dropped: Vec<Stmt> = too_deep.into_iter().rev().map(|at| module.body.remove(at)).collect();
-        stacker::grow(DROP_STACK, || drop(dropped));
+        let mut at = 0;
+        module.body.retain(|_| {
+            at += 1;
+            !too_deep.contains(&(at - 1))
+        });
     }
     deepest
 }

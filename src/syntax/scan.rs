@@ -35,6 +35,8 @@ pub(super) struct Scan {
     pub(super) errors: Vec<SyntaxError>,
     /// The text from here on is not to be parsed: the start of the statement that is too big.
     pub(super) cut: Option<usize>,
+    /// No tree of this text nests deeper than about this.
+    pub(super) deepest: u32,
     /// Lines that begin with a Markdown fence, without their line ends.
     pub(super) fences: Vec<TextRange>,
     /// Starts of top-level statements behind brackets that were left open (or closed wrongly): from
@@ -225,6 +227,7 @@ impl Scanner<'_> {
     }
 
     fn check_nesting(&mut self) {
+        self.scan.deepest = self.scan.deepest.max(self.nesting + self.chain);
         if self.nesting + u32::try_from(self.indents.len()).unwrap_or(u32::MAX) > MAX_NESTING {
             self.stop(self.at, "expression nested too deeply");
         }
@@ -233,6 +236,7 @@ impl Scanner<'_> {
     fn lengthen(&mut self) {
         self.element.chain += 1;
         self.chain += 1;
+        self.scan.deepest = self.scan.deepest.max(self.nesting + self.chain);
         if self.chain > MAX_CHAIN {
             self.stop(self.at, "expression too long");
         }
