@@ -247,8 +247,9 @@ impl<'a> Compiler<'a> {
     }
 
     /// Stops where the program has become too long.
-    pub(super) fn check_length(&self, range: TextRange) -> Result<(), CompileError> {
-        if self.finished_ops + self.unit.emitter.len() > super::MAX_OPS {
+    pub(super) fn check_length(&mut self, range: TextRange) -> Result<(), CompileError> {
+        self.work += 1;
+        if self.work > super::MAX_OPS {
             return error(range, "the program is too long to be compiled");
         }
         Ok(())

@@ -17,6 +17,8 @@ pub(super) struct Label(u32);
 struct Place {
     pc: Option<u32>,
     depth: Option<i32>,
+    /// Some way leads there that is not dead.
+    reached: bool,
 }
 
 /// The constants that may be shared.
@@ -88,9 +90,9 @@ pub(super) fn narrow(n: usize) -> u32 {
 }
 
 impl Emitter {
-    /// How many instructions there are.
-    pub fn len(&self) -> usize {
-        self.ops.len()
+    /// Whether nothing leads here.
+    pub fn is_dead(&self) -> bool {
+        self.dead
     }
 
     /// How many operands are on the stack here.
@@ -121,7 +123,7 @@ impl Emitter {
         let depth = self.depth;
         let Some(place) = self.labels.get_mut(label.0 as usize) else { return };
         place.pc = Some(pc);
-        self.dead &= place.depth.is_none();
+        self.dead &= !place.reached;
         self.depth = *place.depth.get_or_insert(depth);
     }
 
@@ -134,6 +136,7 @@ impl Emitter {
     pub fn expect_depth(&mut self, label: Label, depth: u32) {
         if let Some(place) = self.labels.get_mut(label.0 as usize) {
             place.depth = i32::try_from(depth).ok();
+            place.reached |= !self.dead;
         }
     }
 
@@ -145,19 +148,19 @@ impl Emitter {
     /// Emits an instruction.
     pub fn emit(&mut self, op: Op, range: TextRange) {
         let (next, jumped) = effect(op);
-        if self.dead {
-            self.depth += next;
-            return;
-        }
         let mut jump = op;
         if let Some(label) = target_mut(&mut jump).map(|target| *target as usize)
             && let Some(place) = self.labels.get_mut(label)
         {
             let depth = self.depth + jumped;
             debug_assert_eq!(*place.depth.get_or_insert(depth), depth, "two ways to a label leave stacks of different height");
+            place.reached |= !self.dead;
         }
         self.depth += next;
         debug_assert!(self.depth >= 0, "{op:?} takes more than there is");
+        if self.dead {
+            return;
+        }
         self.fuse(op, range);
         self.dead = matches!(op, Op::Jump(_) | Op::JumpBack(_) | Op::Return | Op::Raise(_) | Op::Reraise);
     }

@@ -177,9 +177,9 @@ impl<'a> Compiler<'a> {
         Ok(())
     }
 
-    /// The right side of a comparison: a display that is only searched needs no list.
-    fn comparator(&mut self, op: CmpOp, expr: &'a Expr) -> Compiled {
-        if matches!(op, CmpOp::In | CmpOp::NotIn) {
+    /// The right side of a comparison: a display that is searched and then forgotten, being the last one, needs no list.
+    fn comparator(&mut self, op: CmpOp, expr: &'a Expr, is_last: bool) -> Compiled {
+        if is_last && matches!(op, CmpOp::In | CmpOp::NotIn) {
             let folded = match expr {
                 Expr::List(node) => self.constants_of(&node.elts).map(Const::Tuple),
                 Expr::Set(node) => self.constants_of(&node.elts).map(Const::FrozenSet),
@@ -199,7 +199,7 @@ impl<'a> Compiler<'a> {
         self.expr(&node.left)?;
         let last = node.comparators.len().saturating_sub(1);
         for (i, (op, right)) in node.ops.iter().zip(&node.comparators).enumerate() {
-            self.comparator(*op, right)?;
+            self.comparator(*op, right, i == last)?;
             if i == last {
                 return Ok(compare_op(*op));
             }

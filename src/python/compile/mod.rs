@@ -76,7 +76,7 @@ pub fn compile(module: &ast::ModModule, text: &str, scopes: &Scopes, tuning: &Tu
         globals,
         codes: vec![None],
         statements: Vec::new(),
-        finished_ops: 0,
+        work: 0,
         unit: Unit::new(ScopeId::MODULE, CodeKind::Module, 0),
     };
     compiler.module(module)?;
@@ -119,13 +119,14 @@ struct Compiler<'a> {
     global_index: FxHashMap<Box<str>, u32>,
     codes: Vec<Option<Code>>,
     statements: Vec<TopStatement>,
-    /// Instructions of the finished code objects.
-    finished_ops: usize,
+    /// Instructions and statements so far, those that are not emitted included.
+    work: usize,
     unit: Unit<'a>,
 }
 
 impl<'a> Compiler<'a> {
     fn emit(&mut self, op: Op, range: TextRange) {
+        self.work += 1;
         self.unit.emitter.emit(op, range);
     }
 
@@ -183,7 +184,6 @@ impl<'a> Compiler<'a> {
         let scope = self.scopes.get(unit.scope);
         let hidden = (0..unit.hidden).map(|n| format!(".match{n}").into_boxed_str());
         let parameter = |cell: &crate::syntax::scope::Cell| cell.parameter.and_then(|local| u16::try_from(local).ok());
-        self.finished_ops += unit.emitter.len();
         let frame = Frame {
             name,
             qualname,

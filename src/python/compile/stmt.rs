@@ -71,6 +71,9 @@ impl<'a> Compiler<'a> {
 
     pub(super) fn body(&mut self, body: &'a [Stmt]) -> Compiled {
         for stmt in body {
+            if self.unit.emitter.is_dead() {
+                break;
+            }
             self.unit.emitter.mark(header(stmt));
             self.statement(stmt)?;
         }

@@ -51,6 +51,12 @@ fn what_follows_an_endless_statement_is_still_there() {
 }
 
 #[test]
+fn loops_in_code_that_nothing_reaches_keep_the_height() {
+    let copied = "def f():\n    for x in y:\n        try:\n            return 1\n            return 2\n        finally:\n            for z in y: g()";
+    assert!(compiled(copied).is_ok());
+}
+
+#[test]
 fn deep_nesting_is_refused_as_in_python() {
     let nested = |n: usize| (0..n).map(|i| format!("{}for i in x:\n", " ".repeat(i))).collect::<String>() + &" ".repeat(n) + "pass";
     assert!(compiled(&nested(20)).is_ok());

@@ -506,3 +506,34 @@ fn texts_with_values() {
       13 Return
     "#);
 }
+
+#[test]
+fn only_the_last_display_of_a_comparison_is_folded() {
+    assert_snapshot!(code("1 in [1] in [[1], 2]\nx in {1, 2}"), @r#"
+    Module <module>()
+       0 Statement(0)
+       1 Const(0) 1
+       2 Const(0) 1
+       3 BuildList(1)
+       4 Dup
+       5 Rot3
+       6 In(false)
+       7 JumpIfFalseOrPop(14)
+       8 Const(0) 1
+       9 BuildList(1)
+      10 Const(1) 2
+      11 BuildList(2)
+      12 In(false)
+      13 Jump(16)
+      14 Swap
+      15 Pop
+      16 Pop
+      17 Statement(1)
+      18 LoadGlobal(0) x
+      19 Const(2) frozenset(1, 2)
+      20 In(false)
+      21 Pop
+      22 Const(3) None
+      23 Return
+    "#);
+}
