@@ -5,6 +5,8 @@
 mod inspect;
 mod numeric;
 
+pub use numeric::abs;
+
 use super::classes::Builtin;
 use super::error::R;
 use super::iter::IterState;

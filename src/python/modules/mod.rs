@@ -7,6 +7,7 @@ use std::sync::{Arc, OnceLock};
 
 pub mod itertools;
 pub mod math;
+pub mod operator;
 pub mod random;
 
 /// What a native module binds a name to.
@@ -24,6 +25,8 @@ pub fn native_module(name: &str) -> Option<&'static [(&'static str, Item)]> {
     match name {
         "itertools" => Some(itertools::ITEMS),
         "math" => Some(math::ITEMS),
+        "_operator" => Some(operator::ITEMS),
+        "_random" => Some(random::ITEMS),
         _ => None,
     }
 }
@@ -49,6 +52,8 @@ const SOURCES: &[(&str, &str)] = &[
     ("dataclasses", include_str!("../lib/dataclasses.py")),
     ("enum", include_str!("../lib/enum.py")),
     ("functools", include_str!("../lib/functools.py")),
+    ("operator", include_str!("../lib/operator.py")),
+    ("random", include_str!("../lib/random.py")),
     ("statistics", include_str!("../lib/statistics.py")),
     ("string", include_str!("../lib/string.py")),
     ("typing", include_str!("../lib/typing.py")),
