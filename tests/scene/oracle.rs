@@ -1,9 +1,9 @@
 //! Thousands of random scripts of scene calls mean the same here and in the reference implementation.
 //!
-//! `PSDL_ORACLE` names oracle.py or its folder; without it, or without python3, there is nothing to compare with.
+//! `PSDL_ORACLE` names oracle.py or its folder; without it there is nothing to compare with.
 
 use std::io::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use proptest::prelude::*;
@@ -245,32 +245,42 @@ fn compare(calls: &[Value], theirs: &Value) {
     assert_same(&script.to_string(), &read::violations(&ours), &read::violations(theirs));
 }
 
-#[test]
+/// The folder of the reference implementation, if there is one.
 #[allow(clippy::print_stdout, reason = "a skipped test says so")]
-fn random_scripts_mean_what_the_reference_says() {
+pub fn reference() -> Option<PathBuf> {
     let Some(oracle) = std::env::var_os("PSDL_ORACLE").map(PathBuf::from) else {
         println!("skipped: PSDL_ORACLE does not name oracle.py");
-        return;
+        return None;
     };
-    let folder = if oracle.is_dir() { oracle } else { oracle.parent().expect("a folder").to_owned() };
-    let mut runner = TestRunner::deterministic();
-    let scripts: Vec<Vec<Value>> = (0..SCRIPTS).map(|_| script().new_tree(&mut runner).expect("a script").current()).collect();
-    let driver = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/scene/driver.py");
+    Some(if oracle.is_dir() { oracle } else { oracle.parent().expect("a folder").to_owned() })
+}
+
+/// The answers of a driver in Python to questions, a line each.
+pub fn ask(driver: &str, reference: &Path, questions: impl Iterator<Item = Value>) -> Vec<Value> {
+    let driver = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scene").join(driver);
     let mut python = Command::new("python3");
-    let python = python.args(["-B", driver]).arg(folder).stdin(Stdio::piped()).stdout(Stdio::piped());
+    python.arg("-B").arg(driver).arg(reference).stdin(Stdio::piped()).stdout(Stdio::piped());
     let mut python = python.spawn().expect("PSDL_ORACLE is set, so python3 is there");
     let mut input = python.stdin.take().expect("a pipe");
-    let lines: String = scripts.iter().map(|calls| format!("{}\n", json!(calls))).collect();
+    let lines: String = questions.map(|question| format!("{question}\n")).collect();
     let writer = std::thread::spawn(move || input.write_all(lines.as_bytes()));
     let output = python.wait_with_output().expect("python3 ends");
     writer.join().expect("no panic").expect("python3 reads");
     let output = String::from_utf8(output.stdout).expect("UTF-8");
-    assert_eq!(output.lines().count(), SCRIPTS);
+    output.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect()
+}
+
+#[test]
+fn random_scripts_mean_what_the_reference_says() {
+    let Some(folder) = reference() else { return };
+    let mut runner = TestRunner::deterministic();
+    let scripts: Vec<Vec<Value>> = (0..SCRIPTS).map(|_| script().new_tree(&mut runner).expect("a script").current()).collect();
+    let answers = ask("driver.py", &folder, scripts.iter().map(|calls| json!(calls)));
+    assert_eq!(answers.len(), SCRIPTS);
     let mut kinds = std::collections::BTreeMap::<String, usize>::new();
-    for (calls, line) in scripts.iter().zip(output.lines()) {
-        let theirs: Value = serde_json::from_str(line).expect("JSON");
-        compare(calls, &theirs);
-        read::violations(&theirs).into_iter().for_each(|(kind, ..)| *kinds.entry(kind).or_default() += 1);
+    for (calls, theirs) in scripts.iter().zip(&answers) {
+        compare(calls, theirs);
+        read::violations(theirs).into_iter().for_each(|(kind, ..)| *kinds.entry(kind).or_default() += 1);
     }
     assert_eq!(kinds.len(), 8, "every kind of error occurs: {kinds:?}");
 }

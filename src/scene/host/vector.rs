@@ -59,17 +59,20 @@ impl SceneHost {
     }
 
     pub(super) fn vector_binary(&mut self, cx: &mut HostCx<'_>, op: BinaryOp, a: Value, b: Value) -> R<Option<Value>> {
+        if op == BinaryOp::Mul && operand(a).is_some() {
+            return self.vector_binary(cx, op, b, a);
+        }
+        // The left side is read first: reading settles.
+        let Some(left) = self.vector(cx, a) else { return Ok(None) };
         let right: SmallVec<[Value; 4]> = match op {
             BinaryOp::Add | BinaryOp::Sub => match self.sequence(cx, b) {
                 Some(items) if items.len() < 3 => return Err(cx.error(Builtin::IndexError, "tuple index out of range")),
                 Some(items) => items,
                 None => return Ok(None),
             },
-            BinaryOp::Mul if operand(a).is_some() => return self.vector_binary(cx, op, b, a),
             BinaryOp::Mul | BinaryOp::Div if operand(b).is_some() => smallvec![b; 3],
             _ => return Ok(None),
         };
-        let Some(left) = self.vector(cx, a) else { return Ok(None) };
         let mut items = [Value::None; 3];
         for (item, (a, b)) in items.iter_mut().zip(left.into_iter().zip(right)) {
             match combine(cx, op, a, b)? {
