@@ -150,8 +150,8 @@ fn sarif() {
     // The rules are the table of codes; their texts have tests of their own.
     let rules = document["runs"][0]["tool"]["driver"]["rules"].take();
     assert!(rules.as_array().is_some_and(|rules| rules.iter().any(|rule| rule["id"] == "overlap")));
-    for result in document["runs"][0]["results"].as_array().expect("there are results") {
-        let index = result["ruleIndex"].as_u64().expect("each names its rule") as usize;
+    for result in document["runs"][0]["results"].as_array_mut().expect("there are results") {
+        let index = result["ruleIndex"].take().as_u64().expect("each names its rule") as usize;
         assert_eq!(rules[index]["id"], result["ruleId"]);
     }
     document["runs"][0]["tool"]["driver"]["version"] = "0.0.0".into();

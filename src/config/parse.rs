@@ -1,7 +1,6 @@
 //! One `psdl.toml`: its keys held against the settings, each with its place.
 
 use super::settings::{Range, Setting, Value, all};
-use crate::check::codes::nearest_of;
 use crate::check::finding::Severity;
 use ruff_text_size::{TextRange, TextSize};
 use toml::Spanned;
@@ -145,7 +144,7 @@ impl Reader {
         let prefix = if outer.is_empty() { String::new() } else { format!("{outer}.") };
         let inner = self.settings.iter().filter_map(|setting| setting.key.strip_prefix(&prefix)?.split('.').next());
         let names = inner.chain(beside.iter().copied());
-        let meant = nearest_of(name, names).map_or_else(String::new, |nearest| format!("; did you mean \"{nearest}\"?"));
+        let meant = crate::syntax::suggest(name, names).map_or_else(String::new, |nearest| format!("; did you mean \"{nearest}\"?"));
         let place = if outer.is_empty() { String::new() } else { format!(" in \"{outer}\"") };
         let message = format!("there is no setting \"{name}\"{place}{meant}");
         self.problem(span, message);

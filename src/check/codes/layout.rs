@@ -95,8 +95,8 @@ pub(super) const LAYOUT: &[Info] = &[
         explanation: "An object that was told to face another one, or whose facing followed from others, is anchored against exactly one wall, but lies along it the wrong way: \
                       it faces along the wall although it is at least as wide as deep, or away from it although it is more than twice as deep as wide.",
         template: None,
-        example: "window = Window(\"Window\", width=1.0, depth=0.1, height=1.0)\nsofa = Object(\"Sofa\", width=2.0, depth=0.9, height=0.8)\n\nwindow.min.x = scene.min.x\nwindow.center.y = -2.3\nwindow.min.z = 1.2\nwindow.facing = X_MAX\nsofa.center.x = scene.center.x + 1\nsofa.min.y = scene.min.y\nsofa.facing = window\n",
+        example: "window = Window(\"Window\", width=1.0, depth=0.1, height=1.0)\nsofa = Object(\"Sofa\", width=2.0, depth=0.9, height=0.8)\n\nwindow.min.x = scene.min.x\nwindow.center.y = -2.3\nwindow.min.z = 1.2\nwindow.facing = X_MAX\nsofa.center.x = scene.center.x + 1.0\nsofa.min.y = scene.min.y\nsofa.facing = window\n",
         remedy: "Face the object away from the wall, or place it away from the wall.",
-        fixed: "window = Window(\"Window\", width=1.0, depth=0.1, height=1.0)\nsofa = Object(\"Sofa\", width=2.0, depth=0.9, height=0.8)\n\nwindow.min.x = scene.min.x\nwindow.center.y = -2.3\nwindow.min.z = 1.2\nwindow.facing = X_MAX\nsofa.center.x = scene.center.x + 1\nsofa.min.y = scene.min.y\nsofa.facing = Y_MAX\n",
+        fixed: "window = Window(\"Window\", width=1.0, depth=0.1, height=1.0)\nsofa = Object(\"Sofa\", width=2.0, depth=0.9, height=0.8)\n\nwindow.min.x = scene.min.x\nwindow.center.y = -2.3\nwindow.min.z = 1.2\nwindow.facing = X_MAX\nsofa.center.x = scene.center.x + 1.0\nsofa.min.y = scene.min.y\nsofa.facing = Y_MAX\n",
     },
 ];

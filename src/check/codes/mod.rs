@@ -106,31 +106,10 @@ impl FromStr for Code {
     }
 }
 
-/// The code whose name is the fewest letters away, if that is near enough to be meant.
+/// The code whose name is most like this one.
 fn nearest(name: &str) -> Option<Code> {
-    let meant = nearest_of(name, all().map(|info| info.name))?;
+    let meant = crate::syntax::suggest(name, all().map(|info| info.name))?;
     all().find(|info| info.name == meant).map(|info| info.code)
-}
-
-/// The word that was probably meant: the one that is the fewest letters away, if that is near enough.
-pub fn nearest_of<'a>(name: &str, words: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    let name: Vec<char> = name.chars().take(40).collect();
-    let (distance, word) = words.map(|word| (distance(&name, word), word)).min_by_key(|(distance, _)| *distance)?;
-    (distance <= 1 + name.len() / 4).then_some(word)
-}
-
-/// How many letters must be put in, left out or replaced to turn one word into the other.
-fn distance(a: &[char], b: &str) -> usize {
-    let mut row: Vec<usize> = (0..=a.len()).collect();
-    for (i, y) in b.chars().enumerate() {
-        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
-        for (j, x) in a.iter().enumerate() {
-            let replaced = diagonal + usize::from(*x != y);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row[a.len()]
 }
 
 impl Severity {

@@ -21,6 +21,8 @@ pub struct Run {
     pub outcome: Outcome,
     /// The record, where one was asked for.
     pub trace: Trace,
+    /// The globals of the program's text that had no value in the end, and that are no names of Python or of the scene.
+    pub unbound: Vec<String>,
 }
 
 /// Runs a compiled program on a scene. `in_loops` are the names that [`bound_in_loops`](super::bound_in_loops) finds in its text;
@@ -33,10 +35,21 @@ pub fn run(
     output: &mut dyn FnMut(&str),
 ) -> Run {
     let mut vm = Vm::new(&mut host, output, options);
-    let outcome = vm.run_program(program);
+    let outcome = vm.run_program(Arc::clone(&program));
     let roots = name_after_globals(&vm.heap, &vm.symbols, vm.globals(), in_loops);
+    let unbound = unbound(&program, &mut vm);
     let mut trace = std::mem::take(&mut vm.trace);
     drop(vm);
     let layout = host.into_layout(&mut trace, roots);
-    Run { layout, outcome, trace }
+    Run { layout, outcome, trace, unbound }
+}
+
+fn unbound(program: &Program, vm: &mut Vm<'_>) -> Vec<String> {
+    let bound: FxHashSet<String> = vm.globals().into_iter().map(|(name, _)| name.to_owned()).collect();
+    let unbound = program.globals.iter().filter(|name| !bound.contains(&***name));
+    let unknown = unbound.filter(|name| {
+        let symbol = vm.symbols.intern(name);
+        vm.builtin(symbol).is_none()
+    });
+    unknown.map(|name| name.to_string()).collect()
 }

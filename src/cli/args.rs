@@ -1,0 +1,171 @@
+//! The arguments. Help, completions and man pages are made from them.
+
+use crate::check::finding::Code;
+use crate::report::Format;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Parser, Subcommand, ValueEnum, ValueHint};
+use std::path::PathBuf;
+
+/// Runs, checks and corrects PSDL scene programs.
+#[derive(Parser, Debug)]
+#[command(name = "psdl", disable_version_flag = true, max_term_width = 100, infer_long_args = true)]
+pub struct Args {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+
+    /// Print the version; with --verbose all that a bug report needs.
+    #[arg(short = 'V', long)]
+    pub version: bool,
+
+    /// Say more on standard error.
+    #[arg(short, long, global = true)]
+    pub verbose: bool,
+
+    /// When to use colours.
+    #[arg(long, global = true, value_enum, default_value_t, value_name = "WHEN")]
+    pub color: ColorChoice,
+}
+
+/// What to do.
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Find what is wrong with the layout of scene programs.
+    Check(CheckArgs),
+    /// Run a program and print what it prints.
+    Run(RunArgs),
+    /// Write the layout of a program in another format.
+    Export(ExportArgs),
+    /// Explain a kind of finding.
+    Explain(ExplainArgs),
+}
+
+/// `psdl check`
+#[derive(clap::Args, Debug)]
+#[command(after_help = "Exit status: 0 if nothing was found (notes do not count), 1 if something was, 2 if the work could not be done.")]
+pub struct CheckArgs {
+    /// Files and folders; `-` is standard input. Folders are searched for `.psdl` files, with the rules of .gitignore and .ignore.
+    #[arg(required = true, value_name = "PATH", value_hint = ValueHint::AnyPath)]
+    pub paths: Vec<PathBuf>,
+
+    /// The format of the report.
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
+    pub format: Format,
+
+    /// Report these kinds only.
+    #[arg(long, value_delimiter = ',', value_name = "KINDS", value_parser = code_parser())]
+    pub select: Vec<Code>,
+
+    /// Do not report these kinds.
+    #[arg(long, value_delimiter = ',', value_name = "KINDS", value_parser = code_parser())]
+    pub ignore: Vec<Code>,
+
+    /// Exit with 0 even if something was found.
+    #[arg(long)]
+    pub exit_zero: bool,
+
+    /// End the text report with a table of kinds.
+    #[arg(long)]
+    pub statistics: bool,
+
+    /// The name of the program on standard input: its place decides about the template and the configuration.
+    #[arg(long, value_name = "PATH", value_hint = ValueHint::FilePath)]
+    pub stdin_filename: Option<PathBuf>,
+}
+
+/// `psdl run`
+#[derive(clap::Args, Debug)]
+pub struct RunArgs {
+    /// The program; `-` is standard input.
+    #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub file: PathBuf,
+}
+
+/// `psdl export`
+#[derive(clap::Args, Debug)]
+pub struct ExportArgs {
+    /// The format to write.
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub to: ExportFormat,
+
+    /// The program; `-` is standard input.
+    #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub file: PathBuf,
+
+    /// Where to write; `-`, the default, is standard output.
+    #[arg(short, long, value_name = "OUT", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+}
+
+/// `psdl explain`
+#[derive(clap::Args, Debug)]
+pub struct ExplainArgs {
+    /// The kind of finding, as `overlap`; without one they are listed.
+    #[arg(value_name = "KIND")]
+    pub kind: Option<String>,
+}
+
+/// The formats of `psdl export`.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ExportFormat {
+    /// Layout JSON: boxes, facings, anchors and errors.
+    Layout,
+}
+
+/// When to use colours.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum ColorChoice {
+    /// On a terminal that shows them, unless NO_COLOR is set.
+    #[default]
+    Auto,
+    /// Always.
+    Always,
+    /// Never.
+    Never,
+}
+
+impl ColorChoice {
+    /// Tells the printing of errors about it.
+    pub fn write_global(self) {
+        match self {
+            ColorChoice::Auto => anstream::ColorChoice::Auto,
+            ColorChoice::Always => anstream::ColorChoice::Always,
+            ColorChoice::Never => anstream::ColorChoice::Never,
+        }
+        .write_global();
+    }
+
+    /// Whether what is written to a stream is to have colours.
+    pub fn resolve(self, stream: &impl anstream::stream::RawStream) -> bool {
+        match self {
+            ColorChoice::Auto => anstream::AutoStream::choice(stream) != anstream::ColorChoice::Never,
+            ColorChoice::Always => true,
+            ColorChoice::Never => false,
+        }
+    }
+}
+
+impl ValueEnum for Format {
+    fn value_variants<'a>() -> &'a [Format] {
+        const FORMATS: [Format; 7] = {
+            let mut formats = [Format::Text; 7];
+            let mut i = 0;
+            while i < formats.len() {
+                formats[i] = Format::ALL[i].0;
+                i += 1;
+            }
+            formats
+        };
+        &FORMATS
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Format::ALL.iter().find(|(format, _)| format == self).map(|(_, name)| PossibleValue::new(*name))
+    }
+}
+
+/// Reads a kind; completions list all of them, errors name the nearest.
+fn code_parser() -> impl TypedValueParser<Value = Code> {
+    let names = crate::check::codes::all().map(|info| PossibleValue::new(info.name).help(info.summary));
+    PossibleValuesParser::new(names).try_map(|name| name.parse::<Code>())
+}

@@ -1,0 +1,226 @@
+//! The program as people and CI use it: through its arguments, streams and exit status.
+
+use std::io::Write as _;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+const OVERLAP: &str = "a = Object('A', 1, 1, 1)\nb = Object('B', 1, 1, 1)\na.center = (0, 0, 0.5)\nb.center = (0.5, 0, 0.5)\n";
+const CLEAN: &str = "a = Object('A', 1, 1, 1)\na.center = (0, 0, 0.5)\n";
+
+fn psdl(folder: &Path, args: &[&str]) -> Output {
+    fed(folder, args, b"")
+}
+
+fn fed(folder: &Path, args: &[&str], input: &[u8]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_psdl"));
+    command.args(args).current_dir(folder).env_remove("NO_COLOR").stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().expect("psdl starts");
+    // A command that reads no input closes it.
+    let _ = child.stdin.take().expect("a pipe").write_all(input);
+    child.wait_with_output().expect("psdl ends")
+}
+
+fn out(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+fn err(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn code(output: &Output) -> i32 {
+    output.status.code().expect("psdl was not killed")
+}
+
+fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, text) in files {
+        let path = folder.path().join(name);
+        std::fs::create_dir_all(path.parent().expect("in a folder")).expect("folders can be made");
+        std::fs::write(path, text).expect("files can be written");
+    }
+    folder
+}
+
+#[test]
+fn the_exit_status_says_what_was_found() {
+    let folder = folder(&[("clean.psdl", CLEAN), ("wrong.psdl", OVERLAP), ("note.psdl", &format!("{CLEAN}gap = 0.4\n"))]);
+    let status = |args: &[&str]| code(&psdl(folder.path(), args));
+    assert_eq!(status(&["check", "clean.psdl"]), 0);
+    assert_eq!(status(&["check", "wrong.psdl"]), 1);
+    assert_eq!(status(&["check", "."]), 1);
+    assert_eq!(status(&["check", "--exit-zero", "."]), 0);
+    assert_eq!(status(&["check", "note.psdl"]), 0, "notes never make a run fail");
+    assert_eq!(status(&["check", "--ignore", "overlap", "wrong.psdl"]), 0);
+    assert_eq!(status(&["check", "--select", "standing,mounted", "wrong.psdl"]), 0);
+    assert_eq!(status(&["check", "none.psdl"]), 2);
+    assert_eq!(status(&["check"]), 2);
+    assert_eq!(status(&["chekc", "clean.psdl"]), 2);
+    assert_eq!(status(&[]), 2);
+}
+
+#[test]
+fn a_finding_underlines_the_statement_to_blame() {
+    let folder = folder(&[("wrong.psdl", OVERLAP)]);
+    let report = out(&psdl(folder.path(), &["check", "wrong.psdl"]));
+    assert!(report.contains("error[overlap]: b overlaps a by 0.50 m\n --> wrong.psdl:4:1\n"), "{report}");
+    assert!(report.contains("4 | b.center = (0.5, 0, 0.5)\n  | ^^^^^^^^^^^^^^^^^^^^^^^^\n"), "{report}");
+    assert!(report.ends_with("1 error in 1 of 1 file, weighted loss 79\n1 overlap\n"), "{report}");
+    assert!(!report.contains('\u{1b}'));
+    assert!(out(&psdl(folder.path(), &["check", "--color", "always", "wrong.psdl"])).contains('\u{1b}'));
+}
+
+#[test]
+fn a_file_that_cannot_be_read_is_reported_and_the_others_are_checked() {
+    let folder = folder(&[("a.psdl", OVERLAP), ("z.psdl", OVERLAP)]);
+    std::fs::write(folder.path().join("latin.psdl"), b"# \xe9\n").expect("it can be written");
+    let output = psdl(folder.path(), &["check", "a.psdl", "none.psdl", "latin.psdl", "z.psdl"]);
+    let report = out(&output);
+    assert_eq!(code(&output), 2);
+    assert_eq!(report.matches("error[overlap]").count(), 2, "{report}");
+    assert!(report.contains("error[unreadable]: the file could not be read: "), "{report}");
+    assert!(report.contains("error[unreadable]: the file is not UTF-8: the byte at offset 2"), "{report}");
+    assert!(report.contains(" --> latin.psdl:1:3"), "{report}");
+}
+
+#[test]
+fn the_order_is_that_of_the_names_whatever_ends_first() {
+    let names: Vec<String> = (0..600).map(|n| format!("d{}/s{n:03}.psdl", n % 7)).collect();
+    let files: Vec<(&str, &str)> =
+        names.iter().enumerate().map(|(n, name)| (name.as_str(), if n % 3 == 0 { OVERLAP } else { CLEAN })).collect();
+    let folder = folder(&files);
+    let report = out(&psdl(folder.path(), &["check", "--format", "jsonl", "."]));
+    let lines: Vec<serde_json::Value> = report.lines().map(|line| serde_json::from_str(line).expect("it is JSON")).collect();
+    let paths: Vec<&str> = lines.iter().filter_map(|line| line["path"].as_str()).collect();
+    let mut sorted = paths.clone();
+    sorted.sort_unstable();
+    assert_eq!(paths.len(), 200);
+    assert_eq!(paths, sorted);
+    assert_eq!(lines.last().expect("a summary")["files"], 600);
+}
+
+#[test]
+fn every_format_is_written() {
+    let folder = folder(&[("a.psdl", OVERLAP), ("b.psdl", CLEAN), ("c.psdl", OVERLAP)]);
+    for format in ["text", "json", "jsonl", "sarif", "github", "gitlab", "junit"] {
+        let output = psdl(folder.path(), &["check", "--format", format, "."]);
+        assert_eq!(code(&output), 1, "{format}");
+        assert_eq!(out(&output).matches("overlaps a by").count() > 1, true, "{format}");
+        assert!(err(&output).is_empty(), "{format}");
+    }
+    let document: serde_json::Value =
+        serde_json::from_slice(&psdl(folder.path(), &["check", "--format", "json", "."]).stdout).expect("JSON");
+    assert_eq!(document["files"].as_array().map(Vec::len), Some(2));
+    assert_eq!(document["summary"]["files"], 3);
+}
+
+#[test]
+fn standard_input_is_a_file_with_a_name() {
+    let folder = folder(&[(
+        "room.template.json",
+        r#"{"width": 4, "depth": 4, "height": 3, "objects": [{"id": "a", "name": "A", "width": 9, "depth": 1, "height": 1}]}"#,
+    )]);
+    let output = fed(folder.path(), &["check", "-"], OVERLAP.as_bytes());
+    assert_eq!(code(&output), 1);
+    assert!(out(&output).contains(" --> <stdin>:4:1"), "{}", out(&output));
+    let output = fed(folder.path(), &["check", "-", "--stdin-filename", "room.psdl"], b"a.center = (0, 0, 0.5)\n");
+    assert!(out(&output).contains("error[out-of-bounds]"), "{}", out(&output));
+    assert!(out(&output).contains("room.template.json:1:"), "{}", out(&output));
+}
+
+#[test]
+fn run_prints_as_python_does_and_shows_the_traceback() {
+    let program = "def fail(d):\n    return d['b']\n\nprint('one', 1.0)\nfail({'a': 1})\nprint('two')\n";
+    let folder = folder(&[("p.py", program)]);
+    let output = psdl(folder.path(), &["run", "p.py"]);
+    assert_eq!((code(&output), out(&output).as_str()), (1, "one 1.0\n"));
+    let traceback = err(&output);
+    assert!(traceback.starts_with("Traceback (most recent call last):\n  File \"p.py\", line 5, in <module>\n"), "{traceback}");
+    assert!(traceback.contains("  File \"p.py\", line 2, in fail\n    return d['b']\n           ^^^^^^\n"), "{traceback}");
+    assert!(traceback.ends_with("KeyError: 'b'\n"), "{traceback}");
+    let output = fed(folder.path(), &["run", "-"], b"print(sum(range(5)))");
+    assert_eq!((code(&output), out(&output).as_str()), (0, "10\n"));
+    assert_eq!(code(&fed(folder.path(), &["run", "-"], b"raise SystemExit")), 0);
+    assert_eq!(code(&fed(folder.path(), &["run", "-"], b"print(")), 1);
+    assert_eq!(code(&psdl(folder.path(), &["run", "none.py"])), 2);
+}
+
+#[test]
+fn run_ends_a_loop_without_an_end() {
+    let folder = folder(&[]);
+    for program in ["while True: pass", "def f(): f()\nf()", "x = [0] * 10**12", "print('a' * 10**12)", "while True: print('x' * 1000)"] {
+        let output = fed(folder.path(), &["run", "-"], program.as_bytes());
+        assert_eq!(code(&output), 1, "{program}");
+        assert!(!err(&output).is_empty(), "{program}");
+    }
+}
+
+#[test]
+fn a_reader_that_goes_away_ends_the_command_quietly() {
+    let folder = folder(&[]);
+    let program = "for i in range(3000):\n    print('x' * 300)\n";
+    let mut command = Command::new(env!("CARGO_BIN_EXE_psdl"));
+    command.args(["run", "-"]).current_dir(folder.path()).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().expect("psdl starts");
+    drop(child.stdout.take());
+    child.stdin.take().expect("a pipe").write_all(program.as_bytes()).expect("it reads the program");
+    let output = child.wait_with_output().expect("psdl ends");
+    assert_eq!((code(&output), err(&output).as_str()), (0, ""));
+}
+
+#[test]
+fn export_writes_the_layout_or_nothing() {
+    let folder = folder(&[("a.psdl", OVERLAP), ("bad.psdl", "a = Object('A', 1, 1, 1)\na.center.x = 1 / 0\n")]);
+    let output = psdl(folder.path(), &["export", "--to", "layout", "a.psdl"]);
+    let layout: serde_json::Value = serde_json::from_slice(&output.stdout).expect("it is JSON");
+    assert_eq!(layout["objects"][1]["path"], "b");
+    assert_eq!(layout["violations"][0]["kind"], "overlap");
+    assert_eq!(code(&psdl(folder.path(), &["export", "--to", "layout", "a.psdl", "-o", "out.json"])), 0);
+    assert_eq!(std::fs::read(folder.path().join("out.json")).expect("it was written"), output.stdout);
+    let output = psdl(folder.path(), &["export", "--to", "layout", "bad.psdl", "-o", "none.json"]);
+    assert_eq!(code(&output), 1);
+    assert!(err(&output).contains("ZeroDivisionError"), "{}", err(&output));
+    assert!(!folder.path().join("none.json").exists());
+}
+
+#[test]
+fn explain_knows_every_kind_and_what_was_meant() {
+    let folder = folder(&[]);
+    let output = psdl(folder.path(), &["explain", "overlap"]);
+    assert!(out(&output).starts_with("# overlap\n"), "{}", out(&output));
+    assert_eq!(out(&psdl(folder.path(), &["explain"])).lines().count(), psdl::check::codes::all().count());
+    let output = psdl(folder.path(), &["explain", "overlpa"]);
+    assert_eq!((code(&output), err(&output).contains("did you mean `overlap`?")), (2, true));
+}
+
+#[test]
+fn the_version_says_what_a_bug_report_needs() {
+    let folder = folder(&[]);
+    assert_eq!(out(&psdl(folder.path(), &["--version"])), format!("psdl {}\n", env!("CARGO_PKG_VERSION")));
+    let verbose = out(&psdl(folder.path(), &["--version", "--verbose"]));
+    for line in ["commit: ", "built for: ", "built by: rustc ", "language: Python 3.11"] {
+        assert!(verbose.contains(line), "{verbose}");
+    }
+}
+
+/// Every page of `psdl explain` shows a program that has the finding, and the same program without it.
+#[test]
+fn the_examples_of_the_findings_have_them() {
+    for info in psdl::check::codes::all().filter(|info| !info.example.is_empty() && info.name != "unused-suppression") {
+        let mut files = vec![("scene.psdl", info.example)];
+        files.extend(info.template.map(|template| ("scene.template.json", template)));
+        let codes = |text: &str| {
+            let folder = folder(&files);
+            std::fs::write(folder.path().join("scene.psdl"), text).expect("it can be written");
+            let output = psdl(folder.path(), &["check", "--format", "jsonl", "scene.psdl"]);
+            let lines = out(&output).lines().map(|line| serde_json::from_str(line).expect("JSON")).collect::<Vec<serde_json::Value>>();
+            let mut codes: Vec<String> = lines.iter().filter_map(|line| line["code"].as_str().map(str::to_string)).collect();
+            codes.dedup();
+            codes
+        };
+        assert_eq!(codes(info.example), [info.name], "the example");
+        if !info.fixed.is_empty() {
+            assert_eq!(codes(info.fixed), [""; 0], "the example of {} without it", info.name);
+        }
+    }
+}
