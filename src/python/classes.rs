@@ -157,9 +157,9 @@ builtins! {
     TypeError = "TypeError", [Exception], Exception, &[];
     ValueError = "ValueError", [Exception], Exception, &[];
     UnicodeError = "UnicodeError", [ValueError], Exception, &[];
-    UnicodeDecodeError = "UnicodeDecodeError", [UnicodeError], Exception, &[];
-    UnicodeEncodeError = "UnicodeEncodeError", [UnicodeError], Exception, &[];
-    UnicodeTranslateError = "UnicodeTranslateError", [UnicodeError], Exception, &[];
+    UnicodeDecodeError = "UnicodeDecodeError", [UnicodeError], Exception, types::unicode_error::DECODE;
+    UnicodeEncodeError = "UnicodeEncodeError", [UnicodeError], Exception, types::unicode_error::ENCODE;
+    UnicodeTranslateError = "UnicodeTranslateError", [UnicodeError], Exception, types::unicode_error::TRANSLATE;
     Warning = "Warning", [Exception], Exception, &[];
     BytesWarning = "BytesWarning", [Warning], Exception, &[];
     DeprecationWarning = "DeprecationWarning", [Warning], Exception, &[];

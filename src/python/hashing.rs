@@ -82,6 +82,9 @@ fn hash_unordered(hashes: impl ExactSizeIterator<Item = u64>) -> i64 {
 }
 
 fn hash_text(text: &[u8]) -> i64 {
+    if text.is_empty() {
+        return 0;
+    }
     use std::hash::Hasher;
     let mut hasher = rustc_hash::FxHasher::default();
     hasher.write(text);

@@ -93,7 +93,7 @@ impl Str {
 
     /// The hash of the text, the same in every run; computed once.
     pub fn hash(&self) -> u64 {
-        if self.hash.get() == 0 {
+        if self.hash.get() == 0 && !self.text.is_empty() {
             use std::hash::Hasher;
             let mut hasher = rustc_hash::FxHasher::default();
             hasher.write(self.text.as_bytes());

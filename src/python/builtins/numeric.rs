@@ -85,6 +85,9 @@ pub fn pow(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
         return Ok(result);
     }
     let number = |v: Value| matches!(v, Value::Int(..) | Value::Bool(_) | Value::Big(_) | Value::Float(..));
+    if matches!((p, q), (Value::Complex(_), _) | (_, Value::Complex(_))) && number(m) {
+        return Err(vm.value_error("complex modulo"));
+    }
     if number(p) && number(q) && number(m) {
         return Err(vm.type_error("pow() 3rd argument not allowed unless all arguments are integers"));
     }

@@ -11,7 +11,7 @@ use num_integer::Integer;
 use num_traits::{Pow, Signed, ToPrimitive, Zero};
 
 /// Words that are worked through in the time of one step.
-const WORDS_A_STEP: u64 = 8;
+const WORDS_A_STEP: u64 = 4;
 
 /// Steps to multiply numbers of so many bits.
 pub(super) fn mul_cost(a: u64, b: u64) -> u64 {

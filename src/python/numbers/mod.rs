@@ -25,7 +25,7 @@ pub use convert::{
 pub use divide::true_divide;
 pub use float::{float_divmod, float_floor_div, float_mod};
 pub use int::{isqrt, pow_mod};
-pub use parse::{IntError, parse_complex, parse_float, parse_int};
+pub use parse::{IntError, misplaces_underscores, parse_complex, parse_float, parse_int};
 pub use round::{round, round_float};
 
 use super::error::{R, Raise};

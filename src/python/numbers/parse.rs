@@ -144,6 +144,11 @@ fn decimal_length(body: &[u8]) -> Option<usize> {
     Some(end)
 }
 
+/// Whether a text cannot be a float or complex number for its underscores alone: CPython says that in other words.
+pub fn misplaces_underscores(text: &str) -> bool {
+    without_underscores(&to_ascii(text)).is_none()
+}
+
 /// `complex(text)`
 pub fn parse_complex(text: &str) -> Option<Complex> {
     let text = to_ascii(text);

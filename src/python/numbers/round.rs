@@ -20,7 +20,8 @@ pub fn round(vm: &mut Vm<'_>, value: Value, ndigits: Option<Value>) -> R<Option<
         (Some(Number::Float(v, h)), None) => convert::round_to_int(vm, num(v, h)).map(Some),
         (Some(Number::Float(v, h)), Some(n)) => {
             let n = vm.pin(n);
-            let digits = vm.index(n)?;
+            let digits = vm.index_big(n)?;
+            let digits = digits.to_i64().unwrap_or(if digits.is_negative() { i64::MIN } else { i64::MAX });
             vm.pin(Value::Float(v, h));
             match round_float(v, digits) {
                 Some(result) => Ok(Some(Value::float(result))),

@@ -38,8 +38,17 @@ pub enum Handler {
 /// Why a conversion failed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CodecError {
-    /// The text of a UnicodeEncodeError or UnicodeDecodeError.
-    Unicode(String),
+    /// A UnicodeEncodeError or UnicodeDecodeError: the codec's name, and which characters or bytes it is about.
+    Unicode {
+        /// As messages name it.
+        codec: &'static str,
+        /// The first character or byte…
+        start: usize,
+        /// …and the one behind the last.
+        end: usize,
+        /// Why.
+        reason: String,
+    },
     /// A TypeError, with its message.
     Type(&'static str),
     /// The handler's name is not known: a LookupError.
@@ -112,7 +121,7 @@ pub fn encode(text: &str, encoding: Encoding, handler: Option<Handler>) -> Resul
     }
 }
 
-fn encode_narrow(text: &str, name: &str, limit: u32, handler: Option<Handler>) -> Result<Vec<u8>, CodecError> {
+fn encode_narrow(text: &str, codec: &'static str, limit: u32, handler: Option<Handler>) -> Result<Vec<u8>, CodecError> {
     if text.is_ascii() {
         return Ok(text.as_bytes().to_vec());
     }
@@ -125,14 +134,8 @@ fn encode_narrow(text: &str, name: &str, limit: u32, handler: Option<Handler>) -
         match handler.ok_or(CodecError::Handler)? {
             Handler::Strict => {
                 let more = text.chars().skip(i).take_while(|c| *c as u32 >= limit).count();
-                let what = if more == 1 {
-                    let mut shown = String::new();
-                    push_escape(&mut shown, c);
-                    format!("character '{shown}' in position {i}")
-                } else {
-                    format!("characters in position {i}-{}", i + more - 1)
-                };
-                return Err(CodecError::Unicode(format!("'{name}' codec can't encode {what}: ordinal not in range({limit})")));
+                let reason = format!("ordinal not in range({limit})");
+                return Err(CodecError::Unicode { codec, start: i, end: i + more, reason });
             }
             Handler::Ignore => {}
             Handler::Replace => out.push(b'?'),
@@ -147,6 +150,26 @@ fn encode_narrow(text: &str, name: &str, limit: u32, handler: Option<Handler>) -
     Ok(out)
 }
 
+/// The text of a UnicodeEncodeError: which characters cannot be encoded, of which the first is this.
+pub fn encode_message(codec: &str, first: Option<char>, start: i64, end: i64, reason: &str) -> String {
+    match first.filter(|_| end - start == 1) {
+        Some(c) => {
+            let mut shown = String::new();
+            push_escape(&mut shown, c);
+            format!("'{codec}' codec can't encode character '{shown}' in position {start}: {reason}")
+        }
+        None => format!("'{codec}' codec can't encode characters in position {start}-{}: {reason}", end - 1),
+    }
+}
+
+/// The text of a UnicodeDecodeError: which bytes cannot be decoded, of which the first is this.
+pub fn decode_message(codec: &str, first: Option<u8>, start: i64, end: i64, reason: &str) -> String {
+    match first.filter(|_| end - start == 1) {
+        Some(byte) => format!("'{codec}' codec can't decode byte {byte:#04x} in position {start}: {reason}"),
+        None => format!("'{codec}' codec can't decode bytes in position {start}-{}: {reason}", end - 1),
+    }
+}
+
 /// A decoding under way.
 struct Decoder<'a> {
     name: &'static str,
@@ -159,14 +182,7 @@ impl Decoder<'_> {
     /// Deals with bytes that mean nothing.
     fn fail(&mut self, start: usize, end: usize, reason: &str) -> Result<(), CodecError> {
         match self.handler.ok_or(CodecError::Handler)? {
-            Handler::Strict => {
-                let what = if end - start == 1 {
-                    format!("byte {:#04x} in position {start}", self.bytes[start])
-                } else {
-                    format!("bytes in position {start}-{}", end - 1)
-                };
-                Err(CodecError::Unicode(format!("'{}' codec can't decode {what}: {reason}", self.name)))
-            }
+            Handler::Strict => Err(CodecError::Unicode { codec: self.name, start, end, reason: reason.into() }),
             Handler::Ignore => Ok(()),
             Handler::Replace => {
                 self.out.push(char::REPLACEMENT_CHARACTER);

@@ -22,9 +22,18 @@ impl Decimal {
         Decimal { digits, point: exponent.parse().unwrap_or(0) + 1 }
     }
 
-    /// The shortest that reads back as the same float.
+    /// The shortest that reads back as the same float, and of those the nearest; where two are, the one with an even last digit.
     fn shortest(x: f64) -> Decimal {
-        Decimal::from_exponential(&format!("{x:e}"))
+        let text = format!("{x:e}");
+        let shortest = Decimal::from_exponential(&text);
+        // Two of fewer digits are never as near.
+        if shortest.digits.len() >= 16 {
+            let even = format!("{x:.*e}", shortest.digits.len() - 1);
+            if even != text && even.parse() == Ok(x) {
+                return Decimal::from_exponential(&even);
+            }
+        }
+        shortest
     }
 
     /// The nearest of `n` significant digits.

@@ -141,7 +141,8 @@ impl Spec {
 
     /// Bytes that a text of this spec may take, beside the value's own.
     pub fn size(&self) -> usize {
-        let digits = if self.kind == 's' { 0 } else { self.precision.unwrap_or(0) };
+        // A precision beyond 32 bits is an error of its own.
+        let digits = if self.kind == 's' { 0 } else { self.precision.filter(|p| *p <= i32::MAX as usize).unwrap_or(0) };
         self.width.saturating_mul(self.fill.len_utf8()).saturating_add(digits)
     }
 

@@ -1,6 +1,6 @@
 //! Against what CPython answered.
 
-use super::codec::{CodecError, Encoding, Handler, decode, encode};
+use super::codec::{CodecError, Encoding, Handler, decode, decode_message, encode, encode_message};
 use super::*;
 use crate::python::heap::Complex;
 use crate::python::recorded::{float, int, rows};
@@ -42,6 +42,7 @@ fn floats_read_back() {
     for (x, expected) in rows::<(String, String)>(include_str!("../recorded/float_repr.json")) {
         assert_eq!(float_repr(float(&x)), expected);
     }
+    assert_eq!(float_repr(1000000000000000.25), "1000000000000000.2");
     assert_eq!(complex_repr(Complex { re: -0.0, im: 1.0 }), "(-0+1j)");
     assert_eq!(complex_repr(Complex { re: 0.0, im: -0.0 }), "-0j");
     assert_eq!(complex_repr(Complex { re: 1e16, im: f64::NAN }), "(1e+16+nanj)");
@@ -81,8 +82,8 @@ fn characters_have_their_kinds() {
 #[test]
 fn what_cannot_be_encoded_is_told_or_replaced() {
     let narrow = |handler| encode("aé😀", Encoding::Ascii, Handler::by_name(handler));
-    let message = "'ascii' codec can't encode characters in position 1-2: ordinal not in range(128)";
-    assert_eq!(narrow("strict"), Err(CodecError::Unicode(message.into())));
+    let reason = "ordinal not in range(128)".to_string();
+    assert_eq!(narrow("strict"), Err(CodecError::Unicode { codec: "ascii", start: 1, end: 3, reason }));
     assert_eq!(narrow("ignore"), Ok(b"a".to_vec()));
     assert_eq!(narrow("xmlcharrefreplace"), Ok(b"a&#233;&#128512;".to_vec()));
     assert_eq!(narrow("backslashreplace"), Ok(b"a\\xe9\\U0001f600".to_vec()));
@@ -93,11 +94,13 @@ fn what_cannot_be_encoded_is_told_or_replaced() {
 fn what_cannot_be_decoded_is_told_or_replaced() {
     let utf8 = Encoding::Utf8 { mark: false };
     let told = |bytes: &[u8], name: &str| decode(bytes, Encoding::by_name(name).expect("known"), Some(Handler::Strict));
-    let error = |message: &str| Err(CodecError::Unicode(message.into()));
-    assert_eq!(told(b"\xff", "utf-8"), error("'utf-8' codec can't decode byte 0xff in position 0: invalid start byte"));
-    assert_eq!(told(b"a\xe2\x82A", "utf8"), error("'utf-8' codec can't decode bytes in position 1-2: invalid continuation byte"));
-    assert_eq!(told(b"\xe2\x82", "U8"), error("'utf-8' codec can't decode bytes in position 0-1: unexpected end of data"));
-    assert_eq!(told(b"\0\xd8a\0", "utf-16-le"), error("'utf-16-le' codec can't decode bytes in position 0-1: illegal UTF-16 surrogate"));
+    let error = |codec, start, end, reason: &str| Err(CodecError::Unicode { codec, start, end, reason: reason.into() });
+    assert_eq!(told(b"\xff", "utf-8"), error("utf-8", 0, 1, "invalid start byte"));
+    assert_eq!(told(b"a\xe2\x82A", "utf8"), error("utf-8", 1, 3, "invalid continuation byte"));
+    assert_eq!(told(b"\xe2\x82", "U8"), error("utf-8", 0, 2, "unexpected end of data"));
+    assert_eq!(told(b"\0\xd8a\0", "utf-16-le"), error("utf-16-le", 0, 2, "illegal UTF-16 surrogate"));
+    assert_eq!(decode_message("utf-8", Some(0xff), 0, 1, "bad"), "'utf-8' codec can't decode byte 0xff in position 0: bad");
+    assert_eq!(encode_message("ascii", Some('é'), 0, 2, "bad"), "'ascii' codec can't encode characters in position 0-1: bad");
     assert_eq!(decode(b"\xe2\x82A", utf8, Some(Handler::Replace)), Ok("\u{fffd}A".into()));
     for name in ["utf-8", "utf-8-sig", "utf-16", "utf-16-be", "utf-32", "utf_32_le"] {
         let encoding = Encoding::by_name(name).expect("known");

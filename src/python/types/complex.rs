@@ -31,6 +31,10 @@ pub fn construct(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
                 vm.charge(text.len() as u64 / 16)?;
                 match numbers::parse_complex(&text) {
                     Some(value) => return Ok(Value::Complex(vm.heap.alloc(value))),
+                    None if numbers::misplaces_underscores(&text) => {
+                        let shown = vm.repr(Value::Str(s))?;
+                        return Err(vm.value_error(format!("could not convert string to complex: {shown}")));
+                    }
                     None => return Err(vm.value_error("complex() arg is a malformed string")),
                 }
             }

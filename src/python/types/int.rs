@@ -4,7 +4,7 @@ use super::number::{self, INT, this};
 use crate::python::classes::Builtin;
 use crate::python::error::R;
 use crate::python::heap::Bytes;
-use crate::python::native::{Args, Native};
+use crate::python::native::{ANY, Args, Native};
 use crate::python::numbers::{self, Number};
 use crate::python::symbols::sym;
 use crate::python::text;
@@ -235,8 +235,8 @@ fn from_bytes(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 pub const METHODS: &[Native] = &[
     Native::method("bit_length", 0, 0, bit_length),
     Native::method("bit_count", 0, 0, bit_count),
-    Native::method("to_bytes", 0, 2, to_bytes).keywords(),
-    Native::class_method("from_bytes", 0, 2, from_bytes).keywords(),
+    Native::method("to_bytes", 0, ANY, to_bytes).keywords(),
+    Native::class_method("from_bytes", 0, ANY, from_bytes).keywords(),
     Native::method("as_integer_ratio", 0, 0, as_integer_ratio),
     Native::method("conjugate", 0, 0, number::same::<INT>),
     Native::getter("real", number::same::<INT>),

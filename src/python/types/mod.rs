@@ -18,3 +18,4 @@ pub mod set;
 pub mod slice;
 pub mod str;
 pub mod tuple;
+pub mod unicode_error;

@@ -196,6 +196,10 @@ impl Vm<'_> {
             _ => {}
         }
         if let Value::Instance(_) = value {
+            // A builtin type's own `__format__` answers an empty spec with `str(self)`, which a subclass may have changed.
+            if spec.is_empty() && self.special(value, sym::FORMAT).is_some_and(|method| self.is_native(method)) {
+                return self.str(value);
+            }
             let spec = self.heap.str(spec);
             if let Some(said) = self.call_special(value, sym::FORMAT, &[spec])? {
                 return match self.plain(said) {

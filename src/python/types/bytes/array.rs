@@ -19,6 +19,15 @@ fn this(vm: &mut Vm<'_>, args: &Args<'_>) -> R<Ref<ByteArray>> {
     }
 }
 
+/// `bytearray.__init__(self, ...)`: replaces what it holds.
+pub(super) fn init(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
+    let array = this(vm, &args)?;
+    if let Value::ByteArray(made) = super::construct_array(vm, Args { pos: &args.pos[1..], kw: args.kw })? {
+        vm.heap[array].0 = std::mem::take(&mut vm.heap[made].0);
+    }
+    Ok(Value::None)
+}
+
 /// Puts bytes in the place of a range, and counts the growth.
 fn splice(vm: &mut Vm<'_>, array: Ref<ByteArray>, start: usize, end: usize, with: &[u8]) -> R<()> {
     let len = vm.heap[array].0.len();

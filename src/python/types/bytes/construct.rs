@@ -118,9 +118,13 @@ fn codec_of(vm: &mut Vm<'_>, encoding: Option<Value>, errors: Option<Value>, fun
     }
 }
 
-fn codec_error(vm: &mut Vm<'_>, error: CodecError, class: Builtin, errors: Option<Value>) -> Raise {
+fn codec_error(vm: &mut Vm<'_>, error: CodecError, class: Builtin, object: Value, errors: Option<Value>) -> Raise {
     match error {
-        CodecError::Unicode(message) => vm.error(class, message),
+        CodecError::Unicode { codec, start, end, reason } => {
+            let (codec, reason) = (vm.new_str(codec), vm.new_str(reason));
+            let args = vm.new_tuple([codec, object, Value::int(start as i64), Value::int(end as i64), reason].as_slice());
+            Raise::Exception(vm.heap.exception(class.class(), args))
+        }
         CodecError::Type(message) => vm.type_error(message),
         CodecError::Handler => {
             let name = match errors.map(|e| vm.plain(e)) {
@@ -138,7 +142,7 @@ pub fn encode_with(vm: &mut Vm<'_>, text: Ref<Str>, encoding: Option<Value>, err
     let size = vm.heap[text].text.len();
     vm.charge(size as u64 / 16)?;
     vm.reserve(size.saturating_mul(5))?;
-    codec::encode(vm.text(text), codec, handler).map_err(|e| codec_error(vm, e, Builtin::UnicodeEncodeError, errors))
+    codec::encode(vm.text(text), codec, handler).map_err(|e| codec_error(vm, e, Builtin::UnicodeEncodeError, Value::Str(text), errors))
 }
 
 /// `bytes.decode(encoding, errors)`; `function` says who asks, for messages.
@@ -149,7 +153,7 @@ pub fn decode_with(vm: &mut Vm<'_>, object: Value, encoding: Option<Value>, erro
     vm.reserve(data.len().saturating_mul(4))?;
     match codec::decode(&data, codec, handler) {
         Ok(text) => Ok(vm.new_str(text)),
-        Err(e) => Err(codec_error(vm, e, Builtin::UnicodeDecodeError, errors)),
+        Err(e) => Err(codec_error(vm, e, Builtin::UnicodeDecodeError, object, errors)),
     }
 }
 

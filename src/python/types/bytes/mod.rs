@@ -13,7 +13,7 @@ use super::containers;
 use super::slice;
 use crate::python::error::{R, Raise};
 use crate::python::heap::{ByteArray, Bytes};
-use crate::python::native::{Args, Native};
+use crate::python::native::{ANY, Args, Native};
 use crate::python::text;
 use crate::python::value::{CompareOp, Value};
 use crate::python::vm::Vm;
@@ -175,7 +175,8 @@ fn repr(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     let receiver = this(vm, &args)?;
     vm.reserve(receiver.data.len() * 4)?;
     let shown = text::repr_bytes(&receiver.data);
-    Ok(vm.new_str(if receiver.array { format!("bytearray({shown})") } else { shown }))
+    // A subclass of bytearray shows its own name.
+    Ok(vm.new_str(if receiver.array { format!("{}({shown})", vm.type_name(args.at(0))) } else { shown }))
 }
 
 fn itself(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
@@ -194,12 +195,12 @@ macro_rules! with_shared {
             Native::method("capitalize", 0, 0, methods::capitalize),
             Native::method("center", 1, 2, methods::center),
             Native::method("count", 1, 3, methods::count),
-            Native::method("decode", 0, 2, construct::decode).keywords(),
+            Native::method("decode", 0, ANY, construct::decode).keywords(),
             Native::method("endswith", 1, 3, methods::endswith),
-            Native::method("expandtabs", 0, 1, methods::expandtabs).keywords(),
+            Native::method("expandtabs", 0, ANY, methods::expandtabs).keywords(),
             Native::method("find", 1, 3, methods::find),
             Native::class_method("fromhex", 1, 1, construct::fromhex),
-            Native::method("hex", 0, 2, construct::hex).keywords(),
+            Native::method("hex", 0, ANY, construct::hex).keywords(),
             Native::method("index", 1, 3, methods::index),
             Native::method("isalnum", 0, 0, methods::isalnum),
             Native::method("isalpha", 0, 0, methods::isalpha),
@@ -222,15 +223,15 @@ macro_rules! with_shared {
             Native::method("rindex", 1, 3, methods::rindex),
             Native::method("rjust", 1, 2, methods::rjust),
             Native::method("rpartition", 1, 1, split::rpartition),
-            Native::method("rsplit", 0, 2, split::rsplit).keywords(),
+            Native::method("rsplit", 0, ANY, split::rsplit).keywords(),
             Native::method("rstrip", 0, 1, split::rstrip),
-            Native::method("split", 0, 2, split::split).keywords(),
-            Native::method("splitlines", 0, 1, split::splitlines).keywords(),
+            Native::method("split", 0, ANY, split::split).keywords(),
+            Native::method("splitlines", 0, ANY, split::splitlines).keywords(),
             Native::method("startswith", 1, 3, methods::startswith),
             Native::method("strip", 0, 1, split::strip),
             Native::method("swapcase", 0, 0, methods::swapcase),
             Native::method("title", 0, 0, methods::title),
-            Native::method("translate", 1, 2, methods::translate).keywords(),
+            Native::method("translate", 1, ANY, methods::translate).keywords(),
             Native::method("upper", 0, 0, methods::upper),
             Native::method("zfill", 1, 1, methods::zfill),
             Native::method("__add__", 1, 1, add),
@@ -242,7 +243,7 @@ macro_rules! with_shared {
             Native::method("__contains__", 1, 1, containers::method_contains),
             Native::method("__getitem__", 1, 1, containers::method_get_item),
             Native::method("__iter__", 0, 0, containers::method_iter),
-            Native::method("__repr__", 0, 0, repr),
+            Native::raw("__repr__", 0, 0, repr),
             Native::method("__lt__", 1, 1, |vm, args| compare(vm, CompareOp::Lt, args)),
             Native::method("__le__", 1, 1, |vm, args| compare(vm, CompareOp::Le, args)),
             Native::method("__eq__", 1, 1, |vm, args| compare(vm, CompareOp::Eq, args)),
@@ -263,6 +264,7 @@ pub const METHODS: &[Native] = with_shared![
 
 /// Methods of `bytearray`.
 pub const ARRAY: &[Native] = with_shared![
+    Native::method("__init__", 0, ANY, array::init).keywords(),
     Native::method("append", 1, 1, array::append),
     Native::method("clear", 0, 0, array::clear),
     Native::method("copy", 0, 0, array::copy),
