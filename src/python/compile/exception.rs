@@ -136,6 +136,7 @@ impl<'a> Compiler<'a> {
         let done = self.label();
         self.emit(Op::Dup, header);
         self.jump(Op::PopJumpIfNone, done, header);
+        self.emit(Op::PopExc, header);
         self.emit(Op::Reraise, header);
         self.bind(done);
         self.emit(Op::Pop, header);

@@ -24,7 +24,9 @@ impl Vm<'_> {
         let Raise::Exception(exception) = raise else {
             return self.abandon(raise, bottom);
         };
-        self.set_context(exception);
+        if !self.reraising {
+            self.set_context(exception);
+        }
         loop {
             self.note_frame(exception);
             let linked = Rc::clone(&self.codes[self.frame.code.0 as usize]);
@@ -189,13 +191,16 @@ impl Vm<'_> {
                 Ok(self.is_subclass(own, c))
             }
             Value::Tuple(t) => {
-                for i in 0..self.heap[t].0.len() {
-                    let item = self.heap[t].0[i];
-                    if self.exception_matches(exception, item)? {
-                        return Ok(true);
+                let items = self.heap[t].0.clone();
+                // All of them are looked at before any decides.
+                let mut matches = false;
+                for item in items {
+                    matches |= matches!(item, Value::Class(_)) && self.exception_matches(exception, item)?;
+                    if !matches!(item, Value::Class(_)) {
+                        return self.exception_matches(exception, Value::None);
                     }
                 }
-                Ok(false)
+                Ok(matches)
             }
             _ => Err(self.type_error("catching classes that do not inherit from BaseException is not allowed")),
         }
@@ -203,7 +208,12 @@ impl Vm<'_> {
 
     /// `except* T`: what of the exception matches, and what does not.
     pub(super) fn split_group(&mut self, exception: Value, class: Value) -> R<(Value, Value)> {
-        if matches!(class, Value::Class(c) if self.is_subclass(c, Builtin::BaseExceptionGroup.class())) {
+        let classes = match class {
+            Value::Tuple(t) => self.heap[t].0.to_vec(),
+            class => vec![class],
+        };
+        self.exception_matches(exception, class)?;
+        if classes.iter().any(|class| matches!(class, Value::Class(c) if self.is_subclass(*c, Builtin::BaseExceptionGroup.class()))) {
             return Err(self.type_error("catching ExceptionGroup with except* is not allowed. Use except instead."));
         }
         if exception.is_none() {
@@ -234,12 +244,8 @@ impl Vm<'_> {
             return Ok(Value::None);
         }
         if !self.is_instance(original, Builtin::BaseExceptionGroup) {
-            // The wrapped exception itself goes on where nobody touched it.
-            return Ok(match raised.as_slice() {
-                [one] if self.group_leaves(*one).iter().any(|l| l.is(original)) => original,
-                [one] => *one,
-                _ => return self.new_group(raised),
-            });
+            // It matched one clause at most, which raised something; or none, and it goes on as it was.
+            return Ok(raised[0]);
         }
         let own = self.group_leaves(original);
         let (mut parts, mut fresh) = (Vec::new(), Vec::new());

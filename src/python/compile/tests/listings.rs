@@ -262,7 +262,7 @@ fn except_star_collects_what_is_left() {
        1 LoadGlobal(0) f
        2 Call(0)
        3 Pop
-       4 Jump(38)
+       4 Jump(39)
        5 PushExc
        6 Dup
        7 BuildList(0)
@@ -291,13 +291,14 @@ fn except_star_collects_what_is_left() {
       30 ListAppend(0)
       31 ExcGroupFinish
       32 Dup
-      33 PopJumpIfNone(35)
-      34 Reraise
-      35 Pop
-      36 PopExc
-      37 Jump(38)
-      38 Const(0) None
-      39 Return
+      33 PopJumpIfNone(36)
+      34 PopExc
+      35 Reraise
+      36 Pop
+      37 PopExc
+      38 Jump(39)
+      39 Const(0) None
+      40 Return
       1..4 raises to 5 depth 0 handling 0
       15..19 raises to 24 depth 3 handling 1
     "#);
