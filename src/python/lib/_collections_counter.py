@@ -1,7 +1,6 @@
 """collections.Counter."""
 
 from itertools import chain, repeat, starmap
-from operator import itemgetter
 
 from _types import GenericAlias
 
@@ -20,7 +19,7 @@ class Counter(dict):
         return sum(self.values())
 
     def most_common(self, n=None):
-        ordered = sorted(self.items(), key=itemgetter(1), reverse=True)
+        ordered = sorted(self.items(), key=lambda item: item[1], reverse=True)
         return ordered if n is None else ordered[:max(n, 0)]
 
     def elements(self):

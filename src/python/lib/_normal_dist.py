@@ -1,6 +1,5 @@
 """statistics.NormalDist."""
 
-import random
 from math import erf, exp, fabs, hypot, log, sqrt, tau
 
 from statistics import StatisticsError, _mean_stdev
@@ -79,6 +78,8 @@ class NormalDist:
         return cls(*_mean_stdev(data))
 
     def samples(self, n, *, seed=None):
+        import random
+
         gauss = random.gauss if seed is None else random.Random(seed).gauss
         return [gauss(self._mu, self._sigma) for _ in range(n)]
 

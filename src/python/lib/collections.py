@@ -1,7 +1,5 @@
 """Containers. What few programs use waits in other modules until it is asked for."""
 
-from operator import eq as _eq, itemgetter as _itemgetter
-
 from _types import GenericAlias as _GenericAlias
 
 __all__ = ["ChainMap", "Counter", "OrderedDict", "UserDict", "UserList", "UserString", "defaultdict", "deque", "namedtuple"]
@@ -62,7 +60,7 @@ class OrderedDict(dict):
 
     def __eq__(self, other):
         if isinstance(other, OrderedDict):
-            return dict.__eq__(self, other) and all(map(_eq, self, other))
+            return dict.__eq__(self, other) and list(self) == list(other)
         return dict.__eq__(self, other)
 
     def __ne__(self, other):
@@ -150,6 +148,10 @@ class defaultdict(dict):
         made = type(self)(self.default_factory, other)
         made.update(self)
         return made
+
+
+def _item(index):
+    return _Field(lambda self: tuple.__getitem__(self, index))
 
 
 class _Field(property):
@@ -257,7 +259,7 @@ def namedtuple(typename, field_names, *, rename=False, defaults=None, module=Non
     for method in (__new__, _make.__func__, _replace, __repr__, _asdict, __getnewargs__):
         method.__qualname__ = f"{typename}.{method.__name__}"
     for index, name in enumerate(names):
-        namespace[name] = _Field(_itemgetter(index))
+        namespace[name] = _item(index)
     namespace["__module__"] = "__main__" if module is None else module
     return type(typename, (tuple,), namespace)
 

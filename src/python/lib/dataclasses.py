@@ -1,7 +1,5 @@
 """Data classes. The methods that CPython generates as source are closures here, raising the errors of the generated ones."""
 
-from operator import attrgetter
-
 from _types import GenericAlias, mappingproxy
 
 __all__ = [
@@ -212,9 +210,9 @@ def _key(names):
     if not names:
         return lambda self: ()
     if len(names) == 1:
-        get = attrgetter(names[0])
-        return lambda self: (get(self),)
-    return attrgetter(*names)
+        name = names[0]
+        return lambda self: (getattr(self, name),)
+    return lambda self: tuple([getattr(self, name) for name in names])
 
 
 def _steps(init_fields, slots):

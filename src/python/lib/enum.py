@@ -1,7 +1,5 @@
 """Enumerations, as CPython 3.11 has them. Flags' boundaries and the checks of `verify` wait in `_enum_checks`."""
 
-from operator import attrgetter as _attrgetter
-
 from _types import mappingproxy as _mappingproxy
 
 __all__ = [
@@ -532,8 +530,8 @@ class Enum(metaclass=EnumType):
     def __deepcopy__(self, memo):
         return self
 
-    name = _Name(_attrgetter("_name_"))
-    value = _Value(_attrgetter("_value_"))
+    name = _Name(lambda self: self._name_)
+    value = _Value(lambda self: self._value_)
 
 
 def _looked_for(cls, value):

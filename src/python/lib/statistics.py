@@ -2,7 +2,6 @@
 
 from itertools import repeat as _repeat
 from math import exp, fsum, isfinite as _isfinite, isqrt as _isqrt, log, sqrt
-from operator import mul as _mul
 
 from _fraction import Ratio as _Ratio, total as _total
 
@@ -154,7 +153,7 @@ def fmean(data, weights=None):
     except TypeError:
         weights = list(weights)
         count = len(weights)
-    numerator = fsum(map(_mul, data, weights))
+    numerator = fsum(map(lambda x, w: x * w, data, weights))
     if n != count:
         raise StatisticsError("data and weights must be the same length")
     denominator = fsum(weights)
