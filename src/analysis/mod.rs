@@ -12,6 +12,7 @@ mod failures;
 mod names;
 mod options;
 mod run;
+mod suppress;
 
 pub use failures::findings as failures;
 pub use options::{Options, Severities};
@@ -69,6 +70,8 @@ pub fn analyse(input: &Input, options: &Options, cancel: Option<&AtomicBool>) ->
     if let Some(run) = run {
         analysis.judge(run, input.text, options);
     }
+    let complete = analysis.layout.is_some() && !analysis.partial;
+    suppress::apply(&mut analysis.findings, &analysis.prepared.parsed, input.text, complete);
     finish(&mut analysis.findings, options);
     analysis
 }
