@@ -135,7 +135,10 @@ impl Vm<'_> {
                 self.pin(value);
                 hash_int(v)
             }
-            Value::Str(s) => (self.heap[s].hash() >> 1) as i64,
+            Value::Str(s) => match &self.heap[s] {
+                empty if empty.chars == 0 => 0,
+                text => (text.hash() >> 1) as i64,
+            },
             Value::Bool(b) => i64::from(b),
             Value::Float(v, _) => {
                 self.pin(value);

@@ -1,5 +1,6 @@
 //! Native iterators: what `iter()` of a builtin type makes, and what `zip`, `map`, `enumerate` and `itertools` return.
 
+use super::classes::Builtin;
 use super::heap::*;
 use super::modules::itertools::Tool;
 use super::value::Value;
@@ -9,8 +10,8 @@ use std::mem::size_of;
 #[derive(Clone, Debug)]
 #[allow(missing_docs)]
 pub enum IterState {
-    /// Nothing is left.
-    Done,
+    /// Nothing is left; of an iterator of this class.
+    Done(Builtin),
     List {
         list: Ref<List>,
         index: usize,
@@ -106,6 +107,11 @@ pub enum IterState {
 }
 
 impl IterState {
+    /// Lets go of everything: there is no next item any more.
+    pub fn finish(&mut self) {
+        *self = IterState::Done(self.class());
+    }
+
     /// Bytes beyond its own size.
     pub fn extra(&self) -> usize {
         match self {
@@ -119,7 +125,7 @@ impl IterState {
     /// The values it holds.
     pub fn children(&self, out: &mut Vec<Value>) {
         match self {
-            IterState::Done | IterState::Range { .. } | IterState::BigRange { .. } => {}
+            IterState::Done(_) | IterState::Range { .. } | IterState::BigRange { .. } => {}
             IterState::List { list, .. } | IterState::ListReversed { list, .. } => out.push(Value::List(*list)),
             IterState::Tuple { tuple, .. } => out.push(Value::Tuple(*tuple)),
             IterState::Items { items, .. } => out.extend_from_slice(items),

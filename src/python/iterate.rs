@@ -148,11 +148,11 @@ impl Vm<'_> {
                 return self.next_enumerated(r, iter, count);
             }
             IterState::Zip { .. } => return self.next_zipped(r),
-            IterState::Done => return Ok(None),
+            IterState::Done(_) => return Ok(None),
             IterState::Tool(_) => return itertools::next(self, r),
             _ => return self.next_rare(r),
         }
-        self.heap[r].0 = IterState::Done;
+        self.heap[r].0.finish();
         Ok(None)
     }
 
@@ -178,7 +178,7 @@ impl Vm<'_> {
             return Err(self.error(Builtin::RuntimeError, "dictionary changed size during iteration".into()));
         }
         let Some((at, entry)) = found else {
-            self.heap[r].0 = IterState::Done;
+            self.heap[r].0.finish();
             return Ok(None);
         };
         self.charge(at.abs_diff(from) as u64 / 16)?;
@@ -324,7 +324,7 @@ impl Vm<'_> {
             }
             _ => return Ok(None),
         }
-        self.heap[r].0 = IterState::Done;
+        self.heap[r].0.finish();
         Ok(None)
     }
 

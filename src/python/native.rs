@@ -37,6 +37,8 @@ pub struct Native {
     pub arity: (u8, u8),
     /// Whether it takes keywords; where not, one is a TypeError before the body runs.
     pub keywords: bool,
+    /// The module it belongs to, as messages name it; empty for builtins.
+    pub module: &'static str,
 }
 
 /// As many positional arguments as are given.
@@ -45,32 +47,37 @@ pub const ANY: u8 = u8::MAX;
 impl Native {
     /// A plain function.
     pub const fn function(name: &'static str, min: u8, max: u8, body: NativeFn) -> Native {
-        Native { name, body, kind: NativeKind::Function, arity: (min, max), keywords: false }
+        Native { name, body, kind: NativeKind::Function, arity: (min, max), keywords: false, module: "" }
     }
 
     /// A method; its receiver does not count as an argument.
     pub const fn method(name: &'static str, min: u8, max: u8, body: NativeFn) -> Native {
-        Native { name, body, kind: NativeKind::Method, arity: (min, max), keywords: false }
+        Native { name, body, kind: NativeKind::Method, arity: (min, max), keywords: false, module: "" }
     }
 
     /// A method that gets its receiver as it is (`object.__setattr__`).
     pub const fn raw(name: &'static str, min: u8, max: u8, body: NativeFn) -> Native {
-        Native { name, body, kind: NativeKind::Raw, arity: (min, max), keywords: false }
+        Native { name, body, kind: NativeKind::Raw, arity: (min, max), keywords: false, module: "" }
     }
 
     /// A class method; `args.pos[0]` is the class.
     pub const fn class_method(name: &'static str, min: u8, max: u8, body: NativeFn) -> Native {
-        Native { name, body, kind: NativeKind::ClassMethod, arity: (min, max), keywords: false }
+        Native { name, body, kind: NativeKind::ClassMethod, arity: (min, max), keywords: false, module: "" }
     }
 
     /// A static method.
     pub const fn static_method(name: &'static str, min: u8, max: u8, body: NativeFn) -> Native {
-        Native { name, body, kind: NativeKind::StaticMethod, arity: (min, max), keywords: false }
+        Native { name, body, kind: NativeKind::StaticMethod, arity: (min, max), keywords: false, module: "" }
     }
 
     /// A computed attribute.
     pub const fn getter(name: &'static str, body: NativeFn) -> Native {
-        Native { name, body, kind: NativeKind::Getter, arity: (0, 0), keywords: false }
+        Native { name, body, kind: NativeKind::Getter, arity: (0, 0), keywords: false, module: "" }
+    }
+
+    /// The same, as a function of a module.
+    pub const fn of(self, module: &'static str) -> Native {
+        Native { module, ..self }
     }
 
     /// The same, taking keywords.

@@ -59,7 +59,7 @@ pub static FUNCTIONS: &[Native] = &[
     }),
     Native::function("round", 0, ANY, numeric::round).keywords(),
     Native::function("setattr", 3, 3, inspect::set_attr),
-    Native::function("sorted", 1, 1, list::sorted).keywords(),
+    Native::function("sorted", 0, ANY, list::sorted).keywords(),
     Native::function("sum", 0, ANY, sum).keywords(),
     Native::function("vars", 0, 1, inspect::vars),
 ];

@@ -26,7 +26,7 @@ class itemgetter:
         if keywords:
             raise TypeError("itemgetter() takes no keyword arguments")
         if not items:
-            raise TypeError("itemgetter expected at least 1 argument, got 0")
+            raise TypeError("itemgetter expected 1 argument, got 0")
         self._items = items
 
     def __call__(self, *args, **keywords):
@@ -47,7 +47,7 @@ class attrgetter:
         if keywords:
             raise TypeError("attrgetter() takes no keyword arguments")
         if not names:
-            raise TypeError("attrgetter expected at least 1 argument, got 0")
+            raise TypeError("attrgetter expected 1 argument, got 0")
         for name in names:
             if not isinstance(name, str):
                 raise TypeError("attribute name must be a string")

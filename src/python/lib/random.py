@@ -87,7 +87,9 @@ class Random:
         version, words, self.gauss_next = state
         _random.setstate(self._number, words)
 
-    def random(self):
+    def random(self, *args):
+        if args:
+            raise TypeError(f"Random.random() takes no arguments ({len(args)} given)")
         return _random.random(self._number)
 
     def getrandbits(self, k):

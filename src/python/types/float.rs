@@ -32,6 +32,12 @@ pub(super) fn of_number(vm: &mut Vm<'_>, value: Value) -> R<Value> {
     })
 }
 
+/// A NaN that is no other NaN: identity compares bits.
+fn new_nan(vm: &mut Vm<'_>) -> f64 {
+    vm.nans = vm.nans.wrapping_add(1);
+    f64::from_bits(f64::NAN.to_bits() | u64::from(vm.nans))
+}
+
 fn convert(vm: &mut Vm<'_>, value: Value) -> R<Value> {
     if matches!(value, Value::Int(..) | Value::Float(..) | Value::Bool(_) | Value::Big(_)) {
         return of_number(vm, value);
@@ -46,6 +52,7 @@ fn convert(vm: &mut Vm<'_>, value: Value) -> R<Value> {
     if let Some(text) = text {
         vm.charge(text.len() as u64 / 16)?;
         return match numbers::parse_float(&text) {
+            Some(float) if float.is_nan() => Ok(Value::float(new_nan(vm))),
             Some(float) => Ok(Value::float(float)),
             None => {
                 let shown = vm.repr(plain)?;

@@ -137,10 +137,7 @@ fn reversed(vm: &mut Vm<'_>, object: Value) -> R<Value> {
                 }
                 return vm.call(method, &[]);
             }
-            if vm.special(object, sym::GETITEM).is_none()
-                || vm.special(object, sym::LEN).is_none()
-                || matches!(vm.plain(object), Value::Set(_) | Value::FrozenSet(_))
-            {
+            if vm.special(object, sym::GETITEM).is_none() || matches!(vm.plain(object), Value::Set(_) | Value::FrozenSet(_)) {
                 return not_reversible(vm, object);
             }
             IterState::SequenceReversed { object, left: vm.len(object)? as i64 }
@@ -167,7 +164,7 @@ pub fn length_hint(vm: &mut Vm<'_>, iter: Value) -> Option<u64> {
     let Value::Iter(r) = iter else { return None };
     let heap = &vm.heap;
     Some(match &heap[r].0 {
-        IterState::Done => 0,
+        IterState::Done(_) => 0,
         IterState::List { list, index } => heap[*list].0.len().saturating_sub(*index) as u64,
         IterState::ListReversed { left, .. } => *left as u64,
         IterState::Tuple { tuple, index } => heap[*tuple].0.len().saturating_sub(*index) as u64,
@@ -194,7 +191,7 @@ impl IterState {
     /// Its class.
     pub fn class(&self) -> Builtin {
         match self {
-            IterState::Done => Builtin::ListIterator,
+            IterState::Done(class) => *class,
             IterState::List { .. } => Builtin::ListIterator,
             IterState::ListReversed { .. } => Builtin::ListReverseIterator,
             IterState::Tuple { .. } | IterState::Items { .. } => Builtin::TupleIterator,

@@ -2,12 +2,13 @@
 
 use super::{containers, slice};
 use crate::python::classes::Builtin;
-use crate::python::error::R;
+use crate::python::error::{R, Raise};
 use crate::python::heap::*;
 use crate::python::iterate;
 use crate::python::native::{Args, Native};
 use crate::python::value::{CompareOp, Value};
 use crate::python::vm::Vm;
+use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 
 /// Methods of `slice`.
@@ -16,12 +17,16 @@ pub const SLICE: &[Native] = slice::METHODS;
 /// Bounds stay below this, so that no sum of two overflows.
 const LIMIT: i128 = 1 << 125;
 
+fn too_large(vm: &mut Vm<'_>) -> Raise {
+    vm.error(Builtin::OverflowError, "range() bounds beyond 125 bits are not supported".into())
+}
+
 fn bound(vm: &mut Vm<'_>, value: Value) -> R<i128> {
     match vm.pin(value) {
         Value::Int(v, _) => Ok(v.into()),
         other => match vm.index_big(other)?.to_i128() {
             Some(v) if v.abs() < LIMIT => Ok(v),
-            _ => Err(vm.error(Builtin::OverflowError, "range() bounds beyond 125 bits are not supported".into())),
+            _ => Err(too_large(vm)),
         },
     }
 }
@@ -59,12 +64,13 @@ pub fn get_item(vm: &mut Vm<'_>, range: Ref<Range>, index: Value) -> R<Value> {
     let range = vm.heap[range];
     let len = range.len() as i128;
     if let Value::Slice(s) = index {
-        // The bounds of a slice are clipped to 64 bits, and so is the length that they are laid over.
-        let clipped = len.min(i64::MAX as i128) as usize;
-        let span = slice::span(vm, s, clipped)?;
-        let at = |i: isize| range.start + i as i128 * range.step;
-        let part = Range { start: at(span.start), stop: at(span.stop), step: range.step * span.step as i128 };
-        return Ok(Value::Range(vm.heap.alloc(part)));
+        let [start, stop, step] = slice::big_indices(vm, s, &len.into())?;
+        let at = |i: BigInt| range.start + i * range.step;
+        let (start, stop, step) = (at(start).to_i128(), at(stop).to_i128(), (step * range.step).to_i128());
+        return match (start, stop, step) {
+            (Some(start), Some(stop), Some(step)) if step.abs() < LIMIT => Ok(Value::Range(vm.heap.alloc(Range { start, stop, step }))),
+            _ => Err(too_large(vm)),
+        };
     }
     let place = match vm.pin(index) {
         Value::Int(i, _) if i < 0 => i as i128 + len,

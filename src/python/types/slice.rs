@@ -3,7 +3,7 @@
 use crate::python::classes::Builtin;
 use crate::python::error::R;
 use crate::python::heap::*;
-use crate::python::native::{Args, Native};
+use crate::python::native::{Args, Native, NativeFn};
 use crate::python::symbols::sym;
 use crate::python::value::{CompareOp, Value};
 use crate::python::vm::Vm;
@@ -152,13 +152,19 @@ fn get(vm: &mut Vm<'_>, args: Args<'_>, part: fn(&Slice) -> Value) -> R<Value> {
     }
 }
 
-/// `slice.indices(length)`, with ints of any size.
+/// `slice.indices(length)`
 fn indices(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     let Value::Slice(s) = args.at(0) else { return Ok(Value::None) };
     let len = vm.index_big(args.at(1))?;
     if len.is_negative() {
         return Err(vm.value_error("length should not be negative"));
     }
+    let parts = big_indices(vm, s, &len)?.map(|v| vm.heap.big(v));
+    Ok(vm.new_tuple(parts))
+}
+
+/// Start, stop and step of a slice laid over a sequence of any length.
+pub fn big_indices(vm: &mut Vm<'_>, s: Ref<Slice>, len: &BigInt) -> R<[BigInt; 3]> {
     let Slice { start, stop, step } = vm.heap[s];
     let mut part = |v: Value| -> R<Option<BigInt>> {
         if v.is_none() {
@@ -174,15 +180,14 @@ fn indices(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
         return Err(vm.value_error("slice step cannot be zero"));
     }
     let back = step.is_negative();
-    let (low, high) = if back { (BigInt::from(-1), &len - 1) } else { (BigInt::ZERO, len.clone()) };
+    let (low, high) = if back { (BigInt::from(-1), len - 1) } else { (BigInt::ZERO, len.clone()) };
     let place = |bound: Option<BigInt>, default: &BigInt| match bound {
         None => default.clone(),
-        Some(b) if b.is_negative() => (b + &len).max(low.clone()),
+        Some(b) if b.is_negative() => (b + len).max(low.clone()),
         Some(b) => b.min(high.clone()),
     };
     let (start, stop) = if back { (place(start, &high), place(stop, &low)) } else { (place(start, &low), place(stop, &high)) };
-    let parts = [start, stop, step].map(|v| vm.heap.big(v));
-    Ok(vm.new_tuple(parts))
+    Ok([start, stop, step])
 }
 
 /// Methods of `slice`.
@@ -198,4 +203,21 @@ pub const METHODS: &[Native] = &[
         }
         _ => Err(vm.error(Builtin::TypeError, "descriptor '__repr__' requires a 'slice' object".into())),
     }),
+    compared("__eq__", |vm, args| rich(vm, args, CompareOp::Eq)),
+    compared("__ne__", |vm, args| rich(vm, args, CompareOp::Ne)),
+    compared("__lt__", |vm, args| rich(vm, args, CompareOp::Lt)),
+    compared("__le__", |vm, args| rich(vm, args, CompareOp::Le)),
+    compared("__gt__", |vm, args| rich(vm, args, CompareOp::Gt)),
+    compared("__ge__", |vm, args| rich(vm, args, CompareOp::Ge)),
 ];
+
+const fn compared(name: &'static str, body: NativeFn) -> Native {
+    Native::method(name, 1, 1, body)
+}
+
+fn rich(vm: &mut Vm<'_>, args: Args<'_>, op: CompareOp) -> R<Value> {
+    match (args.at(0), args.at(1)) {
+        (a @ Value::Slice(_), b @ Value::Slice(_)) => compare(vm, op, a, b),
+        _ => Ok(Value::NotImplemented),
+    }
+}

@@ -121,6 +121,7 @@ impl Vm<'_> {
                 Value::Class(c) => format!("{}.{}", self.class_name(c), native.name),
                 _ => native.name.to_string(),
             },
+            _ if !native.module.is_empty() => format!("{}.{}", native.module, native.name),
             _ => native.name.to_string(),
         }
     }

@@ -129,6 +129,8 @@ pub struct Vm<'h> {
     pub random: super::modules::random::Generator,
     /// Instances of `random.Random`, by number.
     pub randoms: Vec<super::modules::random::Generator>,
+    /// How many NaNs were made from text: each is an object of its own, told apart by its payload.
+    pub(super) nans: u32,
     /// Containers whose repr is under way, to show `[...]`.
     pub(super) repr_stack: Vec<Value>,
     /// The `str` of each symbol, as far as it was asked for.

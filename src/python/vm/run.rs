@@ -737,7 +737,7 @@ impl Vm<'_> {
                     if let Some(v) = self.heap[list].0.get(at) {
                         return Ok(Some(*v));
                     }
-                    self.heap[r].0 = IterState::Done;
+                    self.heap[r].0.finish();
                     return Ok(None);
                 }
                 _ => {}

@@ -123,6 +123,7 @@ impl<'h> Vm<'h> {
             native_depth: 0,
             random: Default::default(),
             randoms: Vec::new(),
+            nans: 0,
             repr_stack: Vec::new(),
             symbol_texts: Vec::new(),
             host_classes: Vec::new(),

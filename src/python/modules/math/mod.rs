@@ -12,7 +12,7 @@ use crate::trace::Op;
 use float::{One, one};
 
 macro_rules! functions {
-    ($($static:ident = $native:expr;)*) => { $(static $static: Native = $native;)* };
+    ($($static:ident = $native:expr;)*) => { $(static $static: Native = $native.of("math");)* };
 }
 
 macro_rules! of_one {

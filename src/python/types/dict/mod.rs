@@ -161,7 +161,9 @@ fn set_default(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 
 fn pop(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     let dict = this(vm, &args)?;
-    match (vm.dict_remove(dict, args.at(1))?, args.get(2)) {
+    // An empty dict does not even ask whether the key can be hashed.
+    let found = if vm.heap[dict].0.is_empty() { None } else { vm.dict_remove(dict, args.at(1))? };
+    match (found, args.get(2)) {
         (Some(value), _) | (None, Some(value)) => Ok(value),
         (None, None) => Err(vm.key_error(args.at(1))),
     }

@@ -5,6 +5,7 @@ use crate::python::heap::*;
 use crate::python::iterate::VALUE;
 use crate::python::native::Args;
 use crate::python::symbols::sym;
+use crate::python::types::iterator::positional;
 use crate::python::value::Value;
 use crate::python::vm::Vm;
 use std::cmp::Ordering;
@@ -33,6 +34,7 @@ fn order(vm: &mut Vm<'_>, function: &str, args: Args<'_>) -> R<Order> {
 
 /// `sorted(iterable, *, key=None, reverse=False)`
 pub fn sorted(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
+    positional(vm, "sorted", &Args::new(args.pos), 1, 1)?;
     let items = vm.collect(args.at(0))?;
     let order = order(vm, "sort", args)?;
     let items = sort_by(vm, items, order)?;
