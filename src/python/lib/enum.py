@@ -284,11 +284,12 @@ def _find_new(namespace, member_type, first_enum):
     new = namespace.get("__new__")
     if new is not None:
         return getattr(new, "__func__", new), first_enum is not None, True
-    for method in ("__new_member__", "__new__"):
-        for possible in (member_type, first_enum):
-            target = getattr(possible, method, None)
-            if target is not None and target is not object.__new__ and target is not Enum.__new__:
-                return target, False, True
+    for possible in (member_type, first_enum):
+        target = getattr(possible, "__new_member__", None)
+        if target is not None:
+            return target, False, True
+    if any(base in _DATA_TYPES or "__new__" in base.__dict__ for base in member_type.__mro__ if base is not object):
+        return member_type.__new__, False, True
     return object.__new__, False, False
 
 
