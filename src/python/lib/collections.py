@@ -16,7 +16,6 @@ def __getattr__(name):
         import _collections_abc as value
     else:
         raise AttributeError(f"module 'collections' has no attribute {name!r}")
-    globals()[name] = value
     return value
 
 

@@ -16,13 +16,22 @@ def __getattr__(name):
     if name == "NormalDist":
         from _normal_dist import NormalDist as value
     elif name == "LinearRegression":
-        from collections import namedtuple
-
-        value = namedtuple("LinearRegression", ("slope", "intercept"), module="statistics")
+        value = _linear_regression_type()
     else:
         raise AttributeError(f"module 'statistics' has no attribute {name!r}")
-    globals()[name] = value
     return value
+
+
+_made = []
+
+
+def _linear_regression_type():
+    """The result of linear_regression, made once."""
+    if not _made:
+        from collections import namedtuple
+
+        _made.append(namedtuple("LinearRegression", ("slope", "intercept"), module="statistics"))
+    return _made[0]
 
 
 class StatisticsError(ValueError):
@@ -379,5 +388,4 @@ def linear_regression(x, y, /, *, proportional=False):
     except ZeroDivisionError:
         raise StatisticsError("x is constant")
     intercept = 0.0 if proportional else ybar - slope * xbar
-    made = globals().get("LinearRegression") or __getattr__("LinearRegression")
-    return made(slope=slope, intercept=intercept)
+    return _linear_regression_type()(slope=slope, intercept=intercept)

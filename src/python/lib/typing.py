@@ -525,10 +525,6 @@ def _make(name):
     return None
 
 
-def _form(name):
-    return globals().get(name) or __getattr__(name)
-
-
 _PROTOCOLS = (
     "Protocol", "runtime_checkable", "SupportsAbs", "SupportsBytes", "SupportsComplex", "SupportsFloat", "SupportsIndex",
     "SupportsInt", "SupportsRound",
@@ -552,11 +548,20 @@ def _load(name):
     return getattr(found, name)
 
 
-def __getattr__(name):
-    made = _make(name)
+_made = {}
+
+
+def _form(name):
+    """The form called `name`; each is made once."""
+    made = _made.get(name)
     if made is None:
-        made = _load(name)
-    if made is None:
-        raise AttributeError(f"module 'typing' has no attribute {name!r}")
-    globals()[name] = made
+        made = _make(name)
+        if made is None:
+            made = _load(name)
+        if made is None:
+            raise AttributeError(f"module 'typing' has no attribute {name!r}")
+        _made[name] = made
     return made
+
+
+__getattr__ = _form
