@@ -3,7 +3,7 @@
 use super::number::{self, COMPLEX, this};
 use crate::python::error::R;
 use crate::python::heap::Complex;
-use crate::python::native::{Args, Native};
+use crate::python::native::{ANY, Args, Native};
 use crate::python::numbers::{self, Number};
 use crate::python::symbols::sym;
 use crate::python::value::Value;
@@ -118,6 +118,7 @@ fn conjugate(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 
 /// Methods of `complex`.
 pub const METHODS: &[Native] = &[
+    Native::static_method("__new__", 1, ANY, super::object::new).keywords(),
     Native::getter("real", real),
     Native::getter("imag", imag),
     Native::method("conjugate", 0, 0, conjugate),

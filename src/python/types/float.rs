@@ -3,7 +3,7 @@
 use super::number::{self, FLOAT, this};
 use crate::python::classes::Builtin;
 use crate::python::error::R;
-use crate::python::native::{Args, Native};
+use crate::python::native::{ANY, Args, Native};
 use crate::python::numbers;
 use crate::python::symbols::sym;
 use crate::python::text;
@@ -232,6 +232,7 @@ fn parse_hex(text: &str) -> Option<f64> {
 
 /// Methods of `float`.
 pub const METHODS: &[Native] = &[
+    Native::static_method("__new__", 1, ANY, super::object::new).keywords(),
     Native::method("is_integer", 0, 0, is_integer),
     Native::method("as_integer_ratio", 0, 0, as_integer_ratio),
     Native::method("hex", 0, 0, hex),

@@ -105,7 +105,8 @@ pub const ALIAS: &[Native] = &[
     }),
 ];
 
-fn new(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
+/// `Class.__new__(cls, ...)` of the builtin types; each that holds a value lists it as its own.
+pub(super) fn new(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     let Some(first) = args.get(0) else { return Err(vm.type_error("object.__new__(): not enough arguments")) };
     let Value::Class(class) = first else {
         let message = format!("object.__new__(X): X is not a type object ({})", vm.type_name(first));

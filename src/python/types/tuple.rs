@@ -4,7 +4,7 @@ use super::containers;
 use crate::python::error::R;
 use crate::python::heap::*;
 use crate::python::iterate::VALUE;
-use crate::python::native::{Args, Native};
+use crate::python::native::{ANY, Args, Native};
 use crate::python::value::{BinaryOp, CompareOp, Value};
 use crate::python::vm::Vm;
 
@@ -73,6 +73,7 @@ fn count(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 
 /// Methods of `tuple`.
 pub const METHODS: &[Native] = &[
+    Native::static_method("__new__", 1, ANY, super::object::new).keywords(),
     Native::method("index", 1, 3, index),
     Native::method("count", 1, 1, count),
     Native::method("__len__", 0, 0, containers::method_len),

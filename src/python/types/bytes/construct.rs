@@ -14,6 +14,9 @@ use crate::python::vm::Vm;
 
 /// `bytes(...)`
 pub fn construct(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
+    if let (&[same @ Value::Bytes(_)], []) = (args.pos, args.kw) {
+        return Ok(same);
+    }
     let data = from_arguments(vm, args, "bytes")?;
     Ok(make(vm, data, false))
 }

@@ -250,6 +250,7 @@ macro_rules! with_shared {
             Native::method("__ne__", 1, 1, |vm, args| compare(vm, CompareOp::Ne, args)),
             Native::method("__gt__", 1, 1, |vm, args| compare(vm, CompareOp::Gt, args)),
             Native::method("__ge__", 1, 1, |vm, args| compare(vm, CompareOp::Ge, args)),
+            Native::static_method("__new__", 1, ANY, super::object::new).keywords(),
             $($own,)*
         ]
     };

@@ -206,6 +206,7 @@ pub fn reversed_iter(vm: &mut Vm<'_>, dict: Ref<Dict>, kind: ViewKind) -> Value 
 
 /// Methods of `dict`.
 pub const METHODS: &[Native] = &[
+    Native::static_method("__new__", 1, ANY, super::object::new).keywords(),
     Native::method("get", 1, 2, get),
     Native::method("setdefault", 1, 2, set_default),
     Native::method("pop", 1, 2, pop),

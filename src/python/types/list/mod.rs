@@ -256,6 +256,7 @@ fn clear(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 
 /// Methods of `list`.
 pub const METHODS: &[Native] = &[
+    Native::static_method("__new__", 1, ANY, super::object::new).keywords(),
     Native::method("append", 1, 1, append),
     Native::method("extend", 1, 1, extend),
     Native::method("insert", 2, 2, insert),

@@ -160,6 +160,7 @@ fn new_args(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 
 /// Methods of `str`.
 pub const METHODS: &[Native] = &[
+    Native::static_method("__new__", 1, ANY, super::object::new).keywords(),
     Native::method("capitalize", 0, 0, case::capitalize),
     Native::method("casefold", 0, 0, case::casefold),
     Native::method("center", 1, 2, layout::center),
