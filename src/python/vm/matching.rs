@@ -13,7 +13,7 @@ impl Vm<'_> {
         match self.plain(value) {
             Value::List(_) | Value::Tuple(_) | Value::Range(_) => true,
             Value::Host(_) | Value::Record(_) => self.host_items(value).is_ok_and(|items| items.is_some()),
-            Value::Instance(_) => self.is_abstract(value, "Sequence"),
+            Value::Instance(_) => self.is_deque(value) || self.is_abstract(value, "Sequence"),
             _ => false,
         }
     }
@@ -27,9 +27,17 @@ impl Vm<'_> {
         }
     }
 
+    /// A `deque` is a sequence even where nobody has asked for the abstract classes.
+    fn is_deque(&mut self, value: Value) -> bool {
+        let class = self.class_of(value);
+        let deque = self.heap[class].mro.iter().copied().find(|c| self.class_name(*c) == "deque");
+        let module = deque.and_then(|c| self.get_attr_opt(Value::Class(c), sym::MODULE).ok().flatten());
+        matches!(module, Some(Value::Str(text)) if self.text(text) == "collections")
+    }
+
     /// `isinstance(value, collections.abc.NAME)`, where a program has imported that.
     fn is_abstract(&mut self, value: Value, name: &str) -> bool {
-        let Some(module) = self.symbols.find("collections.abc").or_else(|| self.symbols.find("collections")) else { return false };
+        let Some(module) = self.symbols.find("_collections_abc") else { return false };
         let Some(&module) = self.modules.get(&module) else { return false };
         let name = self.symbols.intern(name);
         let Ok(Some(class)) = self.get_attr_opt(Value::Module(module), name) else { return false };
@@ -49,7 +57,7 @@ impl Vm<'_> {
                 }
             }
             seen.push(key);
-            let found = match self.plain(subject) {
+            let found = match subject {
                 Value::Dict(d) => self.dict_get(d, key)?,
                 _ => {
                     let get = self.symbols.intern("get");
@@ -93,7 +101,11 @@ impl Vm<'_> {
                             let message = format!("__match_args__ elements must be strings (got {})", self.type_name(name));
                             return Err(self.type_error(message));
                         }
-                        seen.push(self.intern_value(name));
+                        let name = self.intern_value(name);
+                        if seen.contains(&name) {
+                            return Err(self.repeated_attribute(c, name));
+                        }
+                        seen.push(name);
                     }
                 }
                 None if self.matches_itself(c) => {
@@ -108,8 +120,7 @@ impl Vm<'_> {
         for name in self.collect(names)? {
             let name = self.intern_value(name);
             if seen.contains(&name) {
-                let message = format!("{}() got multiple sub-patterns for attribute '{}'", self.class_name(c), self.symbols.text(name));
-                return Err(self.type_error(message));
+                return Err(self.repeated_attribute(c, name));
             }
             seen.push(name);
         }
@@ -120,6 +131,11 @@ impl Vm<'_> {
             }
         }
         Ok(self.heap.tuple(values))
+    }
+
+    fn repeated_attribute(&mut self, class: Ref<Class>, name: Symbol) -> crate::python::error::Raise {
+        let message = format!("{}() got multiple sub-patterns for attribute '{}'", self.class_name(class), self.symbols.text(name));
+        self.type_error(message)
     }
 
     fn too_many_patterns(&mut self, class: Ref<Class>, allowed: usize, given: usize) -> crate::python::error::Raise {
