@@ -181,6 +181,8 @@ impl Vm<'_> {
             self.stack.insert(floor, instance);
         } else {
             self.stack[floor] = instance;
+            // `module.Class(x)` leaves the empty place of a receiver between the two.
+            self.stack.drain(floor + 1..start);
         }
         let start = floor + 1;
         self.stack.insert(start, instance);
