@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::read::{self, Expected};
 
 /// Recorded layouts: the examples, and those of each folder in `PSDL_CORPUS`.
-fn recorded() -> Vec<PathBuf> {
+pub fn recorded() -> Vec<PathBuf> {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let more = std::env::var_os("PSDL_CORPUS").unwrap_or_default();
     let folders = std::iter::once(examples).chain(std::env::split_paths(&more).filter(|path| !path.as_os_str().is_empty()));

@@ -1,4 +1,6 @@
-//! Whole programs, run from their text.
+//! Whole programs give their recorded layouts: the examples, and those of each folder in `PSDL_CORPUS`.
+
+use std::path::Path;
 
 use psdl::check::{Rules, check};
 use psdl::python::program::build;
@@ -8,7 +10,7 @@ use psdl::scene::{JsonViolation, layout_json, template};
 use psdl::syntax::{parse, tune};
 use serde_json::Value;
 
-use super::layouts::assert_same;
+use super::layouts::{assert_same, recorded};
 use super::read;
 
 /// The layout of a program as JSON, with its errors, and what it printed.
@@ -60,4 +62,20 @@ pub fn assert_same_layout(name: &str, found: &Value, expected: &Value) {
         }
     }
     assert_same(name, &read::violations(found), &read::violations(expected));
+}
+
+#[test]
+fn programs_give_their_recorded_layouts() {
+    let mut raised = Vec::new();
+    for path in recorded() {
+        let stem = path.to_string_lossy().replace(".expected.json", "");
+        let read = |suffix: &str| std::fs::read_to_string(Path::new(&format!("{stem}{suffix}")));
+        let text = read(".psdl").expect("a program");
+        let expected = serde_json::from_str(&read(".expected.json").expect("a layout")).expect("JSON");
+        match layout_and_output(&text, read(".template.json").ok().as_deref()).0 {
+            Ok(found) => assert_same_layout(&stem, &found, &expected),
+            Err(error) => raised.push(format!("{stem}: {error}")),
+        }
+    }
+    assert_eq!(raised, [""; 0]);
 }

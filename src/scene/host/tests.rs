@@ -243,5 +243,12 @@ fn a_sidecar_declares_the_variables() {
 
 #[test]
 fn names_behind_which_modules_stand() {
-    assert_eq!(printed("print(math.pi == pi, sin(0), hypot(3, 4), floor(2.5))"), "True 0.0 5.0 2\n");
+    let text = "
+print(math.pi == pi, sin(0), hypot(3, 4), floor(2.5))
+print(Facing.X_MIN, Facing(1) is Facing.Y_POS, Support.WALL_MOUNTED == MOUNTED, list(Facing) == [0, 1, 2, 3])
+bed.facing = Facing.X_MIN
+bed.facing = opposite(bed.facing)
+print(bed.facing)
+";
+    assert_eq!(printed(&format!("{BED}{text}")), "True 0.0 5.0 2\n2 True True True\n0\n");
 }
