@@ -237,6 +237,7 @@ pub(super) fn install(heap: &mut Heap) {
             natives: row.natives,
             builtin: true,
             slots: None,
+            hooked: false,
             subclasses: Vec::new(),
         });
     }

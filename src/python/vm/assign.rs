@@ -212,6 +212,9 @@ impl Vm<'_> {
             Value::Class(c) if !self.heap[c].builtin => {
                 let removed = self.heap[c].attrs.shift_remove(&name);
                 self.attr_cache.clear();
+                if name == sym::GETATTRIBUTE {
+                    self.rehook(c);
+                }
                 match removed {
                     Some(_) => Ok(()),
                     None => Err(self.no_attribute(object, name)),

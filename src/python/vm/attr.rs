@@ -126,9 +126,56 @@ impl Vm<'_> {
         }
     }
 
+    /// The common cases of an instance without hooks: its own attribute, and a method of its class.
+    #[inline(always)]
+    pub(super) fn quick_attr(&mut self, object: Value, name: Symbol) -> Option<Found> {
+        let Value::Instance(i) = object else { return None };
+        let instance = &self.heap[i];
+        let class = instance.class;
+        let (c, n, on_class) = self.attr_cache.entries[Cache::place(class.index(), name)];
+        if c != class.index() || n != name || self.heap[class].hooked {
+            return None;
+        }
+        let Attrs::Inline(items) = &instance.attrs else { return None };
+        match on_class {
+            Value::Undefined | Value::Function(_) | Value::Int(..) | Value::Float(..) | Value::Str(_) | Value::None | Value::Bool(_) => {
+                match items.iter().find(|p| p.0 == name) {
+                    Some(pair) => Some(Found::Value(pair.1)),
+                    None => match on_class {
+                        Value::Undefined => None,
+                        Value::Function(_) => Some(Found::Method(on_class)),
+                        plain => Some(Found::Value(plain)),
+                    },
+                }
+            }
+            _ => None,
+        }
+    }
+
+    /// The getter of a property written in Python, where that is what the attribute is.
+    #[inline(always)]
+    pub(super) fn property_getter(&mut self, object: Value, name: Symbol) -> Option<Ref<Function>> {
+        let Value::Instance(i) = object else { return None };
+        let class = self.heap[i].class;
+        let (c, n, on_class) = self.attr_cache.entries[Cache::place(class.index(), name)];
+        if c != class.index() || n != name || self.heap[class].hooked {
+            return None;
+        }
+        match on_class {
+            Value::Property(p) => match self.heap[p].get {
+                Value::Function(f) => Some(f),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
     /// Attribute access without binding methods.
     #[inline]
     pub(crate) fn find_attr(&mut self, object: Value, name: Symbol) -> R<Option<Found>> {
+        if let Some(found) = self.quick_attr(object, name) {
+            return Ok(Some(found));
+        }
         match object {
             Value::Instance(i) => self.find_instance_attr(object, i, name),
             Value::Class(c) => self.find_type_attr(c, name),

@@ -128,7 +128,19 @@ impl Vm<'_> {
             }
         }
         self.attr_cache.clear();
+        if name == sym::GETATTRIBUTE {
+            self.rehook(class);
+        }
         Ok(())
+    }
+
+    /// A class got another `__getattribute__`: so did its subclasses.
+    pub(super) fn rehook(&mut self, class: Ref<Class>) {
+        let mut todo = vec![class];
+        while let Some(class) = todo.pop() {
+            self.note_hook(class);
+            todo.extend(self.heap[class].subclasses.clone());
+        }
     }
 
     /// `__build_class__(body, name, *bases, metaclass=…, **keywords)`
@@ -268,6 +280,7 @@ impl Vm<'_> {
             natives: &[],
             builtin: false,
             slots: None,
+            hooked: false,
             subclasses: Vec::new(),
         });
         self.heap[class].mro.insert(0, class);
@@ -277,8 +290,15 @@ impl Vm<'_> {
         self.fill_namespace(class, namespace)?;
         self.make_slots(class)?;
         self.ask_for_mro(class)?;
+        self.note_hook(class);
         self.announce_class(class, keywords)?;
         Ok(Value::Class(class))
+    }
+
+    /// Notes whether instances have a `__getattribute__` of the program's own.
+    fn note_hook(&mut self, class: Ref<Class>) {
+        let hooked = matches!(self.class_attr(class, sym::GETATTRIBUTE), Some(hook) if !matches!(hook, Value::Native(_)));
+        self.heap[class].hooked = hooked;
     }
 
     /// A metaclass may have a say in the order of resolution.

@@ -6,6 +6,7 @@ use crate::python::error::{R, Raise};
 use crate::python::heap::*;
 use crate::python::numbers;
 use crate::python::symbols::sym;
+use crate::python::types::containers;
 use crate::python::value::{BinaryOp, CompareOp, Symbol, UnaryOp, Value};
 use num_bigint::BigInt;
 
@@ -179,6 +180,12 @@ impl Vm<'_> {
             }
         } else if let (Value::Str(x), Value::Str(y)) = (a, b) {
             return Ok(Value::Bool(op.holds(self.heap[x].text.cmp(&self.heap[y].text))));
+        } else if let (Value::Tuple(_), Value::Tuple(_)) | (Value::List(_), Value::List(_)) = (a, b) {
+            if let Some(holds) = self.quick_sequences(op, a, b) {
+                return Ok(Value::Bool(holds));
+            }
+            let holds = self.nested(" in comparison", |vm| containers::compare(vm, op, a, b))?;
+            return Ok(holds.map_or(Value::NotImplemented, Value::Bool));
         } else if let Some(value) = self.compare_by_methods(op, a, b)? {
             return Ok(value);
         }
@@ -190,6 +197,35 @@ impl Vm<'_> {
                 Err(self.type_error(format!("'{}' not supported between instances of '{x}' and '{y}'", op.text())))
             }
         }
+    }
+
+    /// Two tuples or lists of short length whose items up to the first difference are untraced numbers and texts.
+    fn quick_sequences(&self, op: CompareOp, a: Value, b: Value) -> Option<bool> {
+        let (x, y): (&[Value], &[Value]) = match (a, b) {
+            (Value::Tuple(x), Value::Tuple(y)) => (&self.heap[x].0, &self.heap[y].0),
+            (Value::List(x), Value::List(y)) => (&self.heap[x].0, &self.heap[y].0),
+            _ => return None,
+        };
+        if x.len().min(y.len()) > 16 {
+            return None;
+        }
+        for (p, q) in x.iter().zip(y) {
+            let order = match (*p, *q) {
+                (Value::Int(p, h), Value::Int(q, k)) if (h.0 | k.0) == 0 => p.cmp(&q),
+                (Value::Float(p, h), Value::Float(q, k)) if (h.0 | k.0) == 0 => p.partial_cmp(&q)?,
+                (Value::Str(p), Value::Str(q)) if p == q => continue,
+                (Value::Str(p), Value::Str(q)) => self.heap[p].text.cmp(&self.heap[q].text),
+                _ => return None,
+            };
+            if order.is_ne() {
+                return Some(match op {
+                    CompareOp::Eq => false,
+                    CompareOp::Ne => true,
+                    _ => op.holds(order),
+                });
+            }
+        }
+        Some(op.holds(x.len().cmp(&y.len())))
     }
 
     fn compare_by_methods(&mut self, op: CompareOp, a: Value, b: Value) -> R<Option<Value>> {
@@ -233,9 +269,12 @@ impl Vm<'_> {
 
     /// `a is b or a == b`, as containers compare their items.
     pub fn eq(&mut self, a: Value, b: Value) -> R<bool> {
-        if a.is(b) {
-            // NaN is itself; a traced number's equality with itself holds for every value but NaN.
-            return Ok(true);
+        match (a, b) {
+            // A number is itself, NaN included; how traced ones compare is recorded by `compare`.
+            (Value::Int(x, h), Value::Int(y, k)) if (h.0 | k.0) == 0 => return Ok(x == y),
+            (Value::Str(x), Value::Str(y)) => return Ok(x == y || self.heap[x].text == self.heap[y].text),
+            _ if a.handle().is_none() && b.handle().is_none() && a.is(b) => return Ok(true),
+            _ => {}
         }
         match self.compare(CompareOp::Eq, a, b)? {
             Value::Bool(b) => Ok(b),

@@ -194,7 +194,19 @@ impl Vm<'_> {
                     Op::DeleteName(name) => self.delete_name(linked.names[name as usize])?,
                     Op::LoadAttr(name) => {
                         let object = self.top();
-                        let value = self.get_attr(object, linked.names[name as usize])?;
+                        let name = linked.names[name as usize];
+                        if let Some(Found::Value(value)) = self.quick_attr(object, name) {
+                            self.set_top(value);
+                            continue;
+                        }
+                        if let Some(getter) = self.property_getter(object, name) {
+                            let start = self.stack.len() - 1;
+                            if let Begun::Frame = self.begin_function(getter, start, start, &[], Return::Push)? {
+                                continue 'frame;
+                            }
+                            continue;
+                        }
+                        let value = self.get_attr(object, name)?;
                         self.set_top(value);
                     }
                     Op::LoadFastAttr { slot, name } => {
@@ -202,7 +214,20 @@ impl Vm<'_> {
                         if object.is_undefined() {
                             return Err(self.unbound_local(&code.locals[usize::from(slot)]));
                         }
-                        let value = self.get_attr(object, linked.names[name as usize])?;
+                        let name = linked.names[name as usize];
+                        if let Some(Found::Value(value)) = self.quick_attr(object, name) {
+                            self.stack.push(value);
+                            continue;
+                        }
+                        if let Some(getter) = self.property_getter(object, name) {
+                            let start = self.stack.len();
+                            self.stack.push(object);
+                            if let Begun::Frame = self.begin_function(getter, start, start, &[], Return::Push)? {
+                                continue 'frame;
+                            }
+                            continue;
+                        }
+                        let value = self.get_attr(object, name)?;
                         self.stack.push(value);
                     }
                     Op::StoreAttr(name) => {
@@ -240,6 +265,10 @@ impl Vm<'_> {
                                     None => self.get_item(object, index)?,
                                 }
                             }
+                            (Value::Tuple(t), Value::Int(i, h)) if h.is_none() && i >= 0 => match self.heap[t].0.get(i as usize) {
+                                Some(v) => *v,
+                                None => self.get_item(object, index)?,
+                            },
                             _ => self.get_item(object, index)?,
                         };
                         self.stack.push(value);

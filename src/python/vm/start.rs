@@ -156,6 +156,7 @@ impl<'h> Vm<'h> {
             natives: &[],
             builtin: true,
             slots: None,
+            hooked: false,
             subclasses: Vec::new(),
         });
         self.heap[class].mro = vec![class, object];
