@@ -65,6 +65,7 @@ pub const IMPORT_ERROR: &[Native] = &[Native::raw("__init__", 0, ANY, init_with_
 
 /// `OSError(errno, strerror)`
 pub const OS_ERROR: &[Native] = &[
+    Native::static_method("__new__", 1, ANY, new_os_error).keywords(),
     Native::getter("errno", |vm, a| Ok(os_part(vm, a, 0))),
     Native::getter("strerror", |vm, a| Ok(os_part(vm, a, 1))),
     Native::getter("filename", |vm, a| Ok(os_part(vm, a, 2))),
@@ -189,6 +190,33 @@ fn add_note(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     Ok(Value::None)
 }
 
+/// `OSError(2, …)` is a FileNotFoundError, and so on.
+fn new_os_error(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
+    let Value::Class(class) = args.at(0) else { return Err(vm.type_error("the first argument must be a class")) };
+    let rest = Args { pos: &args.pos[1..], kw: args.kw };
+    let special = match rest.pos {
+        [Value::Int(errno, _), _, ..] if class == Builtin::OSError.class() => match errno {
+            1 | 13 => Some(Builtin::PermissionError),
+            2 => Some(Builtin::FileNotFoundError),
+            3 => Some(Builtin::ProcessLookupError),
+            4 => Some(Builtin::InterruptedError),
+            10 => Some(Builtin::ChildProcessError),
+            11 | 114 | 115 => Some(Builtin::BlockingIOError),
+            17 => Some(Builtin::FileExistsError),
+            20 => Some(Builtin::NotADirectoryError),
+            21 => Some(Builtin::IsADirectoryError),
+            32 | 108 => Some(Builtin::BrokenPipeError),
+            103 => Some(Builtin::ConnectionAbortedError),
+            104 => Some(Builtin::ConnectionResetError),
+            110 => Some(Builtin::TimeoutError),
+            111 => Some(Builtin::ConnectionRefusedError),
+            _ => None,
+        },
+        _ => None,
+    };
+    vm.default_new(special.map_or(class, Builtin::class), rest)
+}
+
 fn os_part(vm: &Vm<'_>, args: Args<'_>, part: usize) -> Value {
     let items = arguments(vm, args.at(0));
     if items.len() < 2 { Value::None } else { items.get(part).copied().unwrap_or(Value::None) }
@@ -211,7 +239,7 @@ fn new_group(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     }
     let (message, given) = (args.at(1), args.at(2));
     if !matches!(vm.plain(message), Value::Str(_)) {
-        let message = format!("argument 1 must be str, not {}", vm.type_name(message));
+        let message = format!("BaseExceptionGroup.__new__() argument 1 must be str, not {}", vm.type_name(message));
         return Err(vm.type_error(message));
     }
     if !matches!(vm.plain(given), Value::List(_) | Value::Tuple(_)) {

@@ -166,7 +166,7 @@ fn init_subclass(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
         [] => Ok(Value::None),
         _ => {
             let name = match args.at(0) {
-                Value::Class(c) => vm.class_name(c),
+                Value::Class(c) => vm.qualified_name(c),
                 _ => String::new(),
             };
             Err(vm.type_error(format!("{name}.__init_subclass__() takes no keyword arguments")))

@@ -9,6 +9,11 @@ use crate::python::native::{Native, NativeKind};
 use crate::python::symbols::sym;
 use crate::python::value::{Symbol, Value};
 
+/// Whether a hook is the one that every object has: `dict.__setitem__` as a class's `__setattr__` is not.
+fn is_default(hook: Value, name: &str) -> bool {
+    matches!(hook, Value::Native(native) if native.name == name)
+}
+
 impl Vm<'_> {
     /// `o.name = value`
     pub fn set_attr(&mut self, object: Value, name: Symbol, value: Value) -> R<()> {
@@ -16,7 +21,7 @@ impl Vm<'_> {
             Value::Instance(i) => {
                 let class = self.heap[i].class;
                 if let Some(hook) = self.class_attr(class, sym::SETATTR)
-                    && !matches!(hook, Value::Native(_))
+                    && !is_default(hook, "__setattr__")
                 {
                     let text = self.symbol_text(name);
                     return self.call_unbound(hook, object, &[text, value]).map(|_| ());
@@ -26,7 +31,7 @@ impl Vm<'_> {
             Value::Class(c) => {
                 let meta = self.heap[c].meta;
                 if let Some(hook) = self.class_attr(meta, sym::SETATTR)
-                    && !matches!(hook, Value::Native(_))
+                    && !is_default(hook, "__setattr__")
                 {
                     let text = self.symbol_text(name);
                     return self.call_unbound(hook, object, &[text, value]).map(|_| ());
@@ -156,7 +161,8 @@ impl Vm<'_> {
             return Ok(false);
         }
         if matches!(name, sym::CAUSE | sym::CONTEXT) && !value.is_none() && !self.is_instance(value, Builtin::BaseException) {
-            return Err(self.type_error("exception cause must be None or derive from BaseException"));
+            let what = if name == sym::CAUSE { "cause" } else { "context" };
+            return Err(self.type_error(format!("exception {what} must be None or derive from BaseException")));
         }
         let args = if self.symbols.text(name) == "args" {
             let items = self.collect(value)?;
@@ -202,7 +208,7 @@ impl Vm<'_> {
             Value::Instance(i) => {
                 let class = self.heap[i].class;
                 if let Some(hook) = self.class_attr(class, sym::DELATTR)
-                    && !matches!(hook, Value::Native(_))
+                    && !is_default(hook, "__delattr__")
                 {
                     let text = self.symbol_text(name);
                     return self.call_unbound(hook, object, &[text]).map(|_| ());
@@ -210,6 +216,13 @@ impl Vm<'_> {
                 self.del_instance_attr(object, i, name)
             }
             Value::Class(c) if !self.heap[c].builtin => {
+                let meta = self.heap[c].meta;
+                if let Some(hook) = self.class_attr(meta, sym::DELATTR)
+                    && !is_default(hook, "__delattr__")
+                {
+                    let text = self.symbol_text(name);
+                    return self.call_unbound(hook, object, &[text]).map(|_| ());
+                }
                 let removed = self.heap[c].attrs.shift_remove(&name);
                 self.attr_cache.clear();
                 if name == sym::GETATTRIBUTE {
@@ -384,6 +397,9 @@ impl Vm<'_> {
             sym::MODULE => self.heap[f].module_name = value,
             sym::ANNOTATIONS => self.heap[f].annotations = value,
             sym::DEFAULTS => {
+                if !value.is_none() && !matches!(value, Value::Tuple(_)) {
+                    return Err(self.type_error("__defaults__ must be set to a tuple object"));
+                }
                 let items = if value.is_none() { Vec::new() } else { self.collect(value)? };
                 self.heap[f].defaults = items.into();
             }

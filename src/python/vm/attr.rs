@@ -71,6 +71,10 @@ impl Vm<'_> {
             let name = self.symbols.intern(native.name);
             self.heap[class].attrs.entry(name).or_insert(Value::Native(native));
         }
+        let unhashable = [Builtin::List, Builtin::Dict, Builtin::Set, Builtin::ByteArray];
+        if unhashable.iter().any(|b| b.class() == class) {
+            self.heap[class].attrs.insert(sym::HASH, Value::None);
+        }
     }
 
     /// `o.name`
@@ -206,7 +210,10 @@ impl Vm<'_> {
                 Value::Generator(g) => Some(Found::Value(if name == sym::NAME { self.heap[g].name } else { self.heap[g].qualname })),
                 _ => None,
             },
-            sym::DOC => Some(Found::Value(Value::None)),
+            sym::DOC => Some(Found::Value(match object {
+                Value::Native(n) => self.heap.str(format!("{}(...)", n.name)),
+                _ => Value::None,
+            })),
             _ => None,
         })
     }
@@ -387,10 +394,19 @@ impl Vm<'_> {
     fn get_property(&mut self, p: Ref<Property>, object: Value) -> R<Value> {
         let get = self.heap[p].get;
         if get.is_none() {
-            let message = format!("property of '{}' object has no getter", self.type_name(object));
+            let message = match self.property_name(p, object) {
+                Some(name) => format!("property '{name}' of '{}' object has no getter", self.type_name(object)),
+                None => format!("property of '{}' object has no getter", self.type_name(object)),
+            };
             return Err(self.error(Builtin::AttributeError, message));
         }
         self.call(get, &[object])
+    }
+
+    /// The name under which an object's class has a property.
+    fn property_name(&self, p: Ref<Property>, object: Value) -> Option<String> {
+        let mro = &self.heap[self.class_of(object)].mro;
+        mro.iter().flat_map(|c| &self.heap[*c].attrs).find(|a| a.1.is(Value::Property(p))).map(|a| self.symbols.text(*a.0).to_string())
     }
 
     /// Calls a function found on a class with its receiver.

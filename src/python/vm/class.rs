@@ -16,6 +16,11 @@ impl Vm<'_> {
         self.display(self.heap[class].name)
     }
 
+    /// `__qualname__` of a class.
+    pub fn qualified_name(&self, class: Ref<Class>) -> String {
+        self.display(self.heap[class].qualname)
+    }
+
     /// `issubclass` without hooks.
     #[inline]
     pub fn is_subclass(&self, class: Ref<Class>, of: Ref<Class>) -> bool {
@@ -197,11 +202,7 @@ impl Vm<'_> {
             None => Builtin::Type.class(),
         };
         for base in bases {
-            let Value::Class(base) = *base else {
-                let meta = self.class_of(*base);
-                return Ok(Value::Class(meta));
-            };
-            let meta = self.heap[base].meta;
+            let meta = self.class_of(*base);
             if self.is_subclass(winner, meta) {
                 continue;
             }
@@ -384,7 +385,10 @@ impl Vm<'_> {
                 return Err(self.type_error(message));
             };
             let text = self.heap[s].text.clone();
-            let symbol = self.symbols.intern(&text);
+            let private = text.starts_with("__") && !text.ends_with("__");
+            let owner = self.class_name(class);
+            let mangled = if private { format!("_{}{text}", owner.trim_start_matches('_')) } else { text.to_string() };
+            let symbol = self.symbols.intern(&mangled);
             if self.heap[class].attrs.contains_key(&symbol) && symbol != sym::SLOTS {
                 return Err(self.value_error(format!("'{text}' in __slots__ conflicts with class variable")));
             }

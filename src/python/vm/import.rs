@@ -76,7 +76,13 @@ impl Vm<'_> {
         let text = self.symbols.text(name).to_string();
         if text == "collections.abc" {
             let inner = self.symbols.intern("_collections_abc");
-            return self.load_module(inner);
+            let module = self.load_module(inner)?;
+            if let Some(module) = module {
+                let public = self.heap.str("collections.abc");
+                self.heap[module].name = public;
+                self.module_set(module, sym::NAME, public);
+            }
+            return Ok(module);
         }
         if let Some(items) = modules::native_module(&text) {
             let module = self.native_module(&text, items);
