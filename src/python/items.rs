@@ -7,7 +7,7 @@ use super::symbols::sym;
 use super::types::{bytes, list, range, slice};
 use super::value::Value;
 use super::vm::Vm;
-use num_traits::ToPrimitive;
+use num_traits::{Signed, ToPrimitive};
 
 impl Vm<'_> {
     /// `len(object)`
@@ -52,8 +52,17 @@ impl Vm<'_> {
             }
         }
         let result = self.call(method, &[])?;
-        let len = self.index(result)?;
-        usize::try_from(len).map_err(|_| self.value_error("__len__() should return >= 0"))
+        let len = self.index_big(result)?;
+        if len.is_negative() {
+            return Err(self.value_error("__len__() should return >= 0"));
+        }
+        match len.to_i64() {
+            Some(len) => Ok(len as usize),
+            None => {
+                let name = self.type_name(result);
+                Err(self.error(Builtin::OverflowError, format!("cannot fit '{name}' into an index-sized integer")))
+            }
+        }
     }
 
     /// An index into a sequence of `len` items, counted from the end where negative. `what` says whose messages are meant: "list",

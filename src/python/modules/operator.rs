@@ -12,7 +12,7 @@ macro_rules! operators {
     ($($name:literal, $arity:literal, $body:expr;)*) => {
         /// What `import _operator` brings.
         pub const ITEMS: &[(&str, Item)] = &[$(($name, {
-            static NATIVE: Native = Native::function($name, $arity, $arity, $body);
+            static NATIVE: Native = Native::function($name, $arity, $arity, $body).of("_operator");
             Item::Native(&NATIVE)
         }),)* ("length_hint", Item::Native(&LENGTH_HINT)), ("call", Item::Native(&CALL))];
     };

@@ -275,6 +275,21 @@ fn inclusion(vm: &mut Vm<'_>, args: Args<'_>, op: CompareOp) -> R<Value> {
     Ok(Value::Bool(verdict))
 }
 
+/// `repr` with the name of the class, which may be a subclass.
+fn shown(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
+    let (object, plain) = (args.at(0), vm.plain(args.at(0)));
+    let text = containers::repr(vm, plain)?.unwrap_or_default();
+    if !matches!(object, Value::Instance(_)) {
+        return Ok(vm.new_str(text));
+    }
+    let name = vm.type_name(object);
+    let text = match (plain, text.find('(')) {
+        (_, Some(bracket)) if !text.starts_with('{') => format!("{name}{}", &text[bracket..]),
+        _ => format!("{name}({text})"),
+    };
+    Ok(vm.new_str(text))
+}
+
 /// What both have.
 const fn shared() -> [Native; 27] {
     [
@@ -289,7 +304,7 @@ const fn shared() -> [Native; 27] {
         Native::method("__len__", 0, 0, containers::method_len),
         Native::method("__contains__", 1, 1, containers::method_contains),
         Native::method("__iter__", 0, 0, containers::method_iter),
-        Native::method("__repr__", 0, 0, containers::method_repr),
+        Native::raw("__repr__", 0, 0, shown),
         Native::method("__and__", 1, 1, |vm, args| containers::method_binary(vm, BinaryOp::And, args)),
         Native::method("__rand__", 1, 1, |vm, args| containers::method_reflected(vm, BinaryOp::And, args)),
         Native::method("__or__", 1, 1, |vm, args| containers::method_binary(vm, BinaryOp::Or, args)),

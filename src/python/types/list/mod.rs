@@ -267,7 +267,7 @@ pub const METHODS: &[Native] = &[
     Native::method("reverse", 0, 0, reverse),
     Native::method("copy", 0, 0, copy),
     Native::method("clear", 0, 0, clear),
-    Native::method("sort", 0, 0, sort::sort).keywords(),
+    Native::method("sort", 0, ANY, sort::sort).keywords(),
     Native::method("__init__", 0, ANY, |vm, args| {
         let list = this(vm, &args)?;
         init(vm, list, Args { pos: &args.pos[1..], kw: args.kw })?;

@@ -44,6 +44,9 @@ pub fn sorted(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 /// `list.sort(*, key=None, reverse=False)`
 pub fn sort(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     let list = super::this(vm, &args)?;
+    if args.pos.len() > 1 {
+        return Err(vm.type_error("sort() takes no positional arguments"));
+    }
     let order = order(vm, "sort", args)?;
     // The list is empty while its items are compared: a change in the meantime can be told by that.
     let items = std::mem::take(&mut vm.heap[list].0);
