@@ -7,6 +7,8 @@ pub use crate::scene::Source;
 /// What a finding is about. The name is what people select, ignore and configure.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
 pub enum Code {
+    /// The configuration is wrong at a place.
+    Config,
     /// The file could not be read, or is no UTF-8.
     Unreadable,
     /// The text is not a program.

@@ -38,6 +38,56 @@ pub enum Command {
     Export(ExportArgs),
     /// Explain a kind of finding.
     Explain(ExplainArgs),
+    /// Show what holds for a program, and where each value came from.
+    Config(ConfigArgs),
+    /// Print the completions for a shell.
+    Completions(CompletionsArgs),
+    /// Write the man pages into a folder.
+    Man(ManArgs),
+}
+
+/// Where the configuration comes from.
+#[derive(clap::Args, Clone, Debug, Default)]
+pub struct ConfigOptions {
+    /// Take this configuration instead of the nearest psdl.toml above each program.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub config: Option<PathBuf>,
+
+    /// Take no configuration at all.
+    #[arg(long, conflicts_with = "config")]
+    pub no_config: bool,
+}
+
+/// `psdl config`
+#[derive(clap::Args, Debug)]
+pub struct ConfigArgs {
+    /// The program, or a folder.
+    #[arg(value_name = "FILE", default_value = ".", value_hint = ValueHint::AnyPath)]
+    pub file: PathBuf,
+
+    /// Print the JSON schema of psdl.toml instead.
+    #[arg(long)]
+    pub schema: bool,
+
+    #[allow(missing_docs)]
+    #[command(flatten)]
+    pub options: ConfigOptions,
+}
+
+/// `psdl completions`
+#[derive(clap::Args, Debug)]
+pub struct CompletionsArgs {
+    /// The shell.
+    #[arg(value_enum)]
+    pub shell: clap_complete::Shell,
+}
+
+/// `psdl man`
+#[derive(clap::Args, Debug)]
+pub struct ManArgs {
+    /// The folder; it is made if it is not there.
+    #[arg(value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub folder: PathBuf,
 }
 
 /// `psdl check`
@@ -71,6 +121,26 @@ pub struct CheckArgs {
     /// The name of the program on standard input: its place decides about the template and the configuration.
     #[arg(long, value_name = "PATH", value_hint = ValueHint::FilePath)]
     pub stdin_filename: Option<PathBuf>,
+
+    /// Check again whenever something changes.
+    #[arg(long)]
+    pub watch: bool,
+
+    /// Check only what differs from this revision of git.
+    #[arg(long, value_name = "REV")]
+    pub changed_since: Option<String>,
+
+    /// Do not report the findings that this file knows; say which of them are fixed.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub baseline: Option<PathBuf>,
+
+    /// Write all findings that count to this file, for --baseline.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, conflicts_with = "baseline")]
+    pub write_baseline: Option<PathBuf>,
+
+    #[allow(missing_docs)]
+    #[command(flatten)]
+    pub options: ConfigOptions,
 }
 
 /// `psdl run`
@@ -79,6 +149,10 @@ pub struct RunArgs {
     /// The program; `-` is standard input.
     #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
+
+    #[allow(missing_docs)]
+    #[command(flatten)]
+    pub options: ConfigOptions,
 }
 
 /// `psdl export`
@@ -95,6 +169,10 @@ pub struct ExportArgs {
     /// Where to write; `-`, the default, is standard output.
     #[arg(short, long, value_name = "OUT", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
+
+    #[allow(missing_docs)]
+    #[command(flatten)]
+    pub options: ConfigOptions,
 }
 
 /// `psdl explain`

@@ -1,76 +1,159 @@
 //! `psdl check`: many programs in parallel, one report in a stable order, in memory that does not grow with their number.
 
 use super::args::CheckArgs;
+use super::baseline::{self, Baseline};
+use super::configuration::Configuration;
 use super::files::{Loaded, Program, Trouble, programs};
 use super::output::{self, Failure};
 use super::progress::Progress;
-use super::{Outcome, STACK};
+use super::watch::Lookout;
+use super::{Outcome, STACK, changed};
 use crate::analysis::{self, Input, Options};
 use crate::check::finding::{Code, Finding, Place, Source};
 use crate::report::{FileReport, Format, Printer, Summary};
 use rayon::prelude::*;
 use ruff_text_size::TextRange;
+use std::collections::BTreeMap;
 
 /// So many files are under way before their part of the report is written.
 const BATCH: usize = 256;
 
 /// What one program adds to the report.
 struct Piece {
+    path: String,
     text: String,
     summary: Summary,
     unreadable: bool,
+    /// What a new baseline remembers.
+    remembered: BTreeMap<String, String>,
+    /// Findings that the baseline knows and that are gone.
+    fixed: Vec<String>,
 }
 
-/// Which findings are reported.
-struct Filter<'a> {
-    select: &'a [Code],
-    ignore: &'a [Code],
+/// All that decides how a program is checked.
+struct Checker<'a> {
+    args: &'a CheckArgs,
+    printer: Printer,
+    configuration: Configuration,
+    baseline: Option<Baseline>,
+    pool: rayon::ThreadPool,
 }
 
-impl Filter<'_> {
-    fn keeps(&self, code: Code) -> bool {
-        (self.select.is_empty() || self.select.contains(&code)) && !self.ignore.contains(&code)
-    }
-}
-
-pub(super) fn check(args: &CheckArgs, color: bool) -> Result<Outcome, Failure> {
-    let programs = programs(&args.paths, args.stdin_filename.as_deref())?;
-    let printer = Printer { format: args.format, color: color && args.format == Format::Text, statistics: args.statistics };
-    let filter = Filter { select: &args.select, ignore: &args.ignore };
+pub(super) fn check(args: &CheckArgs, color: bool, error_color: bool) -> Result<Outcome, Failure> {
     let pool = rayon::ThreadPoolBuilder::new().stack_size(STACK).build();
-    let pool = pool.map_err(|error| Failure::new(format!("threads could not be started: {error}")))?;
-    let options = Options::default();
-
-    let mut report = Report { printer, summary: Summary::default(), first: true, open: true, unreadable: false };
-    let mut progress = Progress::new(programs.len());
-    report.write(printer.head())?;
-    for batch in programs.chunks(BATCH) {
-        let pieces: Vec<Piece> = pool.install(|| batch.par_iter().map(|program| piece(program, &printer, &filter, &options)).collect());
-        progress.advance(batch.len());
-        progress.around(|| report.add(pieces))?;
-        if !report.open {
-            break;
+    let checker = Checker {
+        args,
+        printer: Printer { format: args.format, color: color && args.format == Format::Text, statistics: args.statistics },
+        configuration: Configuration::new(&args.options, error_color),
+        baseline: args.baseline.as_deref().map(Baseline::read).transpose()?,
+        pool: pool.map_err(|error| Failure::new(format!("threads could not be started: {error}")))?,
+    };
+    if !args.watch {
+        return checker.check_all();
+    }
+    let lookout = Lookout::new(&args.paths)?;
+    loop {
+        // What is wrong now may be right after the next change.
+        if let Err(failure) = checker.check_all() {
+            output::complain(&failure);
         }
+        output::note("waiting for changes (Ctrl+C ends)");
+        if !lookout.wait() {
+            return Ok(Outcome::Clean);
+        }
+        checker.configuration.forget();
     }
-    progress.done();
-    report.finish()?;
-    if report.unreadable {
-        return Err(Failure::new("some files could not be read"));
+}
+
+impl Checker<'_> {
+    fn keeps(&self, code: Code) -> bool {
+        (self.args.select.is_empty() || self.args.select.contains(&code)) && !self.args.ignore.contains(&code)
     }
-    Ok(if report.summary.fails() && !args.exit_zero { Outcome::Findings } else { Outcome::Clean })
+
+    fn programs(&self) -> Result<Vec<Program>, Failure> {
+        let left_out = |path: &std::path::Path| self.configuration.excludes(path);
+        let mut programs = programs(&self.args.paths, self.args.stdin_filename.as_deref(), &left_out)?;
+        if let Some(revision) = &self.args.changed_since {
+            let changed = changed::since(revision)?;
+            programs.retain(|program| matches!(program, Program::Stdin(_)) || changed::touches(&changed, program.path()));
+        }
+        Ok(programs)
+    }
+
+    fn check_all(&self) -> Result<Outcome, Failure> {
+        let programs = self.programs()?;
+        let mut report = Report { printer: self.printer, ..Report::default() };
+        report.open = true;
+        let mut progress = Progress::new(programs.len());
+        report.write(&self.printer.head())?;
+        for batch in programs.chunks(BATCH) {
+            let pieces =
+                self.pool.install(|| batch.par_iter().map(|program| self.piece(program)).collect::<Result<Vec<Piece>, Failure>>())?;
+            progress.advance(batch.len());
+            progress.around(|| report.add(pieces))?;
+            // Without a reader the work goes on only for what is written elsewhere.
+            if !report.open && self.args.write_baseline.is_none() {
+                break;
+            }
+        }
+        progress.done();
+        let tail = self.printer.tail(&report.summary);
+        report.write(&tail)?;
+        for fixed in &report.fixed {
+            output::note(&format!("fixed since the baseline: {fixed}"));
+        }
+        if !report.fixed.is_empty() {
+            output::note("write the baseline again to make it smaller");
+        }
+        if report.unreadable {
+            return Err(Failure::new("some files could not be read"));
+        }
+        if let Some(path) = &self.args.write_baseline {
+            report.remembered.write(path)?;
+            return Ok(Outcome::Clean);
+        }
+        Ok(if report.summary.fails() && !self.args.exit_zero { Outcome::Findings } else { Outcome::Clean })
+    }
+
+    fn piece(&self, program: &Program) -> Result<Piece, Failure> {
+        let options = self.configuration.options(program.path())?;
+        let loaded = program.load();
+        let unreadable = matches!(loaded.text, Err(Trouble::Io(_)));
+        let (text, template, mut findings, objects) = findings(&loaded, &options);
+        findings.retain(|finding| self.keeps(finding.code));
+        let template = template.map(|(path, text)| (path.as_str(), text));
+        let file = FileReport { path: &loaded.path, text, template, findings: &findings, objects: &objects };
+        let (mut remembered, mut fixed) = (BTreeMap::new(), Vec::new());
+        if self.args.write_baseline.is_some() {
+            remembered = baseline::remembered(&file);
+        }
+        let sifted = self.baseline.as_ref().map(|baseline| {
+            let (new, seen) = baseline.sift(&file);
+            fixed = baseline.fixed(&loaded.path, &seen);
+            new
+        });
+        let file = FileReport { findings: sifted.as_ref().unwrap_or(&findings), ..file };
+        let mut summary = Summary::default();
+        summary.add(file.findings);
+        let text = self.printer.file(&file);
+        Ok(Piece { text, summary, unreadable, remembered, fixed, path: loaded.path.clone() })
+    }
 }
 
 /// The report as far as it is written.
+#[derive(Default)]
 struct Report {
     printer: Printer,
     summary: Summary,
-    first: bool,
+    begun: bool,
     open: bool,
     unreadable: bool,
+    fixed: Vec<String>,
+    remembered: baseline::Writer,
 }
 
 impl Report {
-    fn write(&mut self, text: String) -> Result<(), Failure> {
+    fn write(&mut self, text: &str) -> Result<(), Failure> {
         if self.open && !text.is_empty() {
             self.open = output::write(text.as_bytes())?;
         }
@@ -82,32 +165,18 @@ impl Report {
         for piece in pieces {
             self.summary.merge(&piece.summary);
             self.unreadable |= piece.unreadable;
+            self.fixed.extend(piece.fixed);
+            self.remembered.add(piece.path, piece.remembered);
             if piece.text.is_empty() {
                 continue;
             }
-            if !std::mem::take(&mut self.first) {
+            if std::mem::replace(&mut self.begun, true) {
                 text.push_str(self.printer.between());
             }
             text.push_str(&piece.text);
         }
-        self.write(text)
+        self.write(&text)
     }
-
-    fn finish(&mut self) -> Result<(), Failure> {
-        self.write(self.printer.tail(&self.summary))
-    }
-}
-
-fn piece(program: &Program, printer: &Printer, filter: &Filter, options: &Options) -> Piece {
-    let loaded = program.load();
-    let unreadable = matches!(loaded.text, Err(Trouble::Io(_)));
-    let (text, template, mut findings, objects) = findings(&loaded, options);
-    findings.retain(|finding| filter.keeps(finding.code));
-    let template = template.map(|(path, text)| (path.as_str(), text));
-    let file = FileReport { path: &loaded.path, text, template, findings: &findings, objects: &objects };
-    let mut summary = Summary::default();
-    summary.add(&findings);
-    Piece { text: printer.file(&file), summary, unreadable }
 }
 
 type Found<'a> = (&'a str, Option<(&'a String, &'a str)>, Vec<Finding>, Vec<String>);

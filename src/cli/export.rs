@@ -2,17 +2,19 @@
 
 use super::Outcome;
 use super::args::{ExportArgs, ExportFormat};
+use super::configuration::Configuration;
 use super::files::Program;
 use super::output::{self, Failure};
-use crate::analysis::{Analysis, Input, Options, analyse};
+use crate::analysis::{Analysis, Input, analyse};
 use crate::report::{FileReport, Printer};
 use crate::scene::{JsonViolation, Layout, layout_json};
 use crate::syntax::LineIndex;
 
 pub(super) fn export(args: &ExportArgs, color: bool) -> Result<Outcome, Failure> {
     let loaded = Program::named(&args.file).load();
+    let options = Configuration::new(&args.options, color).options(&args.file)?;
     let (text, template) = loaded.texts()?;
-    let analysis = analyse(&Input { text, template: template.map(|(_, text)| text) }, &Options::default(), None);
+    let analysis = analyse(&Input { text, template: template.map(|(_, text)| text) }, &options, None);
     let whole = analysis.layout.as_ref().filter(|_| !analysis.partial);
     let Some(layout) = whole else {
         let objects = analysis.object_names();

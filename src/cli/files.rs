@@ -43,14 +43,23 @@ pub(super) enum Trouble {
 }
 
 /// The programs that the paths of a command line name, each once, in a stable order.
-pub(super) fn programs(paths: &[PathBuf], stdin_name: Option<&Path>) -> Result<Vec<Program>, Failure> {
+/// Those that are found in folders are asked whether they are left out.
+pub(super) fn programs(
+    paths: &[PathBuf],
+    stdin_name: Option<&Path>,
+    left_out: &dyn Fn(&Path) -> Result<bool, Failure>,
+) -> Result<Vec<Program>, Failure> {
     let mut seen = FxHashSet::default();
     let mut programs = Vec::new();
     for path in paths {
         if path.as_os_str() == "-" {
             programs.push(Program::Stdin(stdin_name.unwrap_or(Path::new(STDIN)).to_path_buf()));
         } else if path.is_dir() {
-            programs.extend(walk(path).filter(|path| seen.insert(path.clone())).map(Program::File));
+            for found in walk(path) {
+                if !left_out(&found)? && seen.insert(found.clone()) {
+                    programs.push(Program::File(found));
+                }
+            }
         } else if seen.insert(path.clone()) {
             programs.push(Program::File(path.clone()));
         }
@@ -160,7 +169,7 @@ mod tests {
     }
 
     fn names(folder: &tempfile::TempDir, paths: &[PathBuf]) -> Vec<String> {
-        let programs = programs(paths, None).unwrap();
+        let programs = programs(paths, None, &|_| Ok(false)).unwrap();
         programs.iter().map(|program| shown(program.path().strip_prefix(folder.path()).unwrap())).collect()
     }
 
@@ -169,6 +178,15 @@ mod tests {
         let files = [("b.psdl", ""), ("a/z.psdl", ""), ("a/x.py", ""), ("a/old/y.psdl", ""), (".hidden/q.psdl", ""), (".ignore", "old\n")];
         let folder = folder(&files);
         assert_eq!(names(&folder, &[folder.path().to_path_buf()]), ["a/z.psdl", "b.psdl"]);
+    }
+
+    #[test]
+    fn what_is_left_out_is_checked_only_if_it_is_named() {
+        let folder = folder(&[("a.psdl", ""), ("old.psdl", "")]);
+        let left_out = |path: &Path| Ok(path.ends_with("old.psdl"));
+        let count = |paths: &[PathBuf]| programs(paths, None, &left_out).unwrap().len();
+        assert_eq!(count(&[folder.path().to_path_buf()]), 1);
+        assert_eq!(count(&[folder.path().join("old.psdl")]), 1);
     }
 
     #[test]
@@ -197,7 +215,7 @@ mod tests {
 
     #[test]
     fn standard_input_is_read_once() {
-        assert!(programs(&["-".into(), "-".into()], None).is_err());
-        assert_eq!(programs(&["-".into()], Some(Path::new("a.psdl"))).unwrap(), [Program::Stdin("a.psdl".into())]);
+        assert!(programs(&["-".into(), "-".into()], None, &|_| Ok(false)).is_err());
+        assert_eq!(programs(&["-".into()], Some(Path::new("a.psdl")), &|_| Ok(false)).unwrap(), [Program::Stdin("a.psdl".into())]);
     }
 }

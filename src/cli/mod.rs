@@ -9,15 +9,20 @@
 //! - A closed pipe ends the command quietly.
 
 pub mod args;
+mod baseline;
+mod changed;
 mod check;
+mod configuration;
 mod explain;
 mod export;
 mod files;
+mod generate;
 mod output;
 mod progress;
 mod run;
 mod traceback;
 mod version;
+mod watch;
 
 use args::{Args, Command};
 use clap::{CommandFactory, Parser};
@@ -55,10 +60,13 @@ fn dispatch(args: Args) -> Result<Outcome, Failure> {
         return output::print(&version::text(args.verbose));
     }
     match args.command {
-        Some(Command::Check(args)) => check::check(&args, color),
+        Some(Command::Check(args)) => check::check(&args, color, errors),
         Some(Command::Run(args)) => with_stack(|| run::run(&args, errors)),
         Some(Command::Export(args)) => with_stack(|| export::export(&args, errors)),
         Some(Command::Explain(args)) => explain::explain(&args),
+        Some(Command::Config(args)) => configuration::show(&args, errors),
+        Some(Command::Completions(args)) => generate::completions(&args),
+        Some(Command::Man(args)) => generate::man(&args),
         None => {
             let help = Args::command().render_help();
             output::print(&help.to_string())?;

@@ -7,30 +7,45 @@ use std::path::Path;
 
 /// Why a command could not do its work.
 #[derive(Debug)]
-pub(super) struct Failure(String);
+pub(super) struct Failure {
+    message: String,
+    /// Findings that belong to it, as they are to be shown.
+    report: String,
+}
 
 impl Failure {
     pub(super) fn new(message: impl Into<String>) -> Failure {
-        Failure(message.into())
+        Failure { message: message.into(), report: String::new() }
     }
 
     /// A failure that has to do with a file.
     pub(super) fn at(path: &Path, error: &dyn fmt::Display) -> Failure {
-        Failure(format!("{}: {error}", path.display()))
+        Failure::new(format!("{}: {error}", path.display()))
+    }
+
+    /// A failure with findings that explain it.
+    pub(super) fn with_report(report: String, message: &str) -> Failure {
+        Failure { message: message.into(), report }
     }
 }
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+        f.write_str(&self.message)
     }
 }
 
 /// Says on standard error why the command ends.
 pub(super) fn complain(failure: &Failure) {
-    let lines: Vec<String> = failure.0.lines().map(annotate_snippets::normalize_untrusted_str).collect();
+    report_error(&failure.report);
+    let lines: Vec<String> = failure.message.lines().map(annotate_snippets::normalize_untrusted_str).collect();
     // There is nobody left to tell when standard error is closed.
     let _ = writeln!(anstream::stderr().lock(), "\u{1b}[1;31merror\u{1b}[0m: {}", lines.join("\n"));
+}
+
+/// Says something on standard error that is no failure.
+pub(super) fn note(message: &str) {
+    report_error(&format!("{}\n", annotate_snippets::normalize_untrusted_str(message)));
 }
 
 /// Writes findings or a traceback to standard error.

@@ -2,16 +2,18 @@
 
 use super::Outcome;
 use super::args::RunArgs;
+use super::configuration::Configuration;
 use super::files::Program;
 use super::output::{self, Failure};
 use super::traceback::traceback;
-use crate::analysis::{Input, Mode, Options, execute, failures, prepare};
+use crate::analysis::{Input, Mode, execute, failures, prepare};
 use crate::check::finding::Finding;
 use crate::report::{FileReport, Printer};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 pub(super) fn run(args: &RunArgs, color: bool) -> Result<Outcome, Failure> {
     let loaded = Program::named(&args.file).load();
+    let options = Configuration::new(&args.options, color).options(&args.file)?;
     let (text, template) = loaded.texts()?;
     let input = Input { text, template: template.map(|(_, text)| text) };
     let complain = |findings: &[Finding]| {
@@ -19,7 +21,7 @@ pub(super) fn run(args: &RunArgs, color: bool) -> Result<Outcome, Failure> {
         output::report_error(&Printer { color, ..Printer::default() }.file(&file));
         Ok(Outcome::Findings)
     };
-    let (prepared, options) = (prepare(&input), Options::default());
+    let (prepared, options) = (prepare(&input), options);
     let closed = AtomicBool::new(false);
     let mut trouble = None;
     let mut print = |text: &str| match output::write(text.as_bytes()) {

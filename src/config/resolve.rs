@@ -4,6 +4,7 @@ use super::parse::{Assigned, Parsed, Problem, parse};
 use super::settings::{Setting, all};
 use super::show::Origin;
 use crate::analysis::Options;
+use crate::check::finding::{Code, Finding, Place};
 use crate::syntax::LineIndex;
 use ignore::gitignore::{Gitignore, GitignoreBuilder};
 use rustc_hash::FxHashMap;
@@ -85,6 +86,7 @@ impl<'a> Resolver<'a> {
     /// # Errors
     /// A file on the way cannot be read or used.
     pub fn resolve(&self, program: &Path) -> Result<Resolved, Arc<ConfigError>> {
+        let program = &normal(program);
         let chain = match &self.fixed {
             Some(path) => self.known(path, |path| self.chain(path).map(Some))?,
             None => match program.parent() {
@@ -197,6 +199,12 @@ impl Layer {
 }
 
 impl ConfigError {
+    /// The problems as findings about the text.
+    pub fn findings(&self) -> Vec<Finding> {
+        let finding = |problem: &Problem| Finding::new(Code::Config, Place::program(problem.range), problem.message.clone());
+        self.problems.iter().map(finding).collect()
+    }
+
     fn plain(path: PathBuf, message: String) -> ConfigError {
         ConfigError { path, text: String::new(), problems: vec![Problem { range: ruff_text_size::TextRange::default(), message }] }
     }

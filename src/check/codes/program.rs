@@ -6,6 +6,17 @@ use crate::check::finding::{Code, Severity};
 /// What keeps a program from giving a layout.
 pub(super) const BEFORE: &[Info] = &[
     Info {
+        code: Code::Config,
+        name: "config",
+        severity: Severity::Error,
+        summary: "The configuration is wrong.",
+        explanation: "A `psdl.toml` that holds for the program is no TOML, names a setting that does not exist, or gives one a value that cannot be. Nothing is checked then: a setting is never silently replaced by its default.",
+        template: None,
+        example: "",
+        remedy: "Mend the file at the place that is shown; `psdl config` lists the settings.",
+        fixed: "",
+    },
+    Info {
         code: Code::Unreadable,
         name: "unreadable",
         severity: Severity::Error,
