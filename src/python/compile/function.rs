@@ -85,10 +85,6 @@ impl<'a> Compiler<'a> {
         self.unit.params = node.parameters.as_deref().map(params).unwrap_or_default();
         self.unit.emitter.mark(node.range);
         self.expr(&node.body)?;
-        if self.scopes.get(self.unit.scope).is_generator {
-            self.emit(Op::Pop, node.body.range());
-            self.constant(Const::None, node.body.range());
-        }
         self.emit(Op::Return, node.body.range());
         self.close(outer, flags, node.range);
         Ok(())

@@ -57,6 +57,12 @@ fn loops_in_code_that_nothing_reaches_keep_the_height() {
 }
 
 #[test]
+fn a_lambda_that_yields_returns_its_value() {
+    let program = compiled("f = lambda: (yield 1)").unwrap();
+    assert!(matches!(program.codes[1].ops[..], [Op::Const(_), Op::Yield, Op::Return]));
+}
+
+#[test]
 fn deep_nesting_is_refused_as_in_python() {
     let nested = |n: usize| (0..n).map(|i| format!("{}for i in x:\n", " ".repeat(i))).collect::<String>() + &" ".repeat(n) + "pass";
     assert!(compiled(&nested(20)).is_ok());
