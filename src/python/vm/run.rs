@@ -70,10 +70,11 @@ impl Vm<'_> {
             let base = self.frame.base as usize;
             let mut pc = self.frame.pc as usize;
             loop {
-                let op = ops[pc];
+                let op = &ops[pc];
                 pc += 1;
                 self.frame.pc = pc as u32;
-                match op {
+                // By reference: only the operands of the instruction at hand are read.
+                match *op {
                     Op::Nop => {}
                     Op::Pop => {
                         self.stack.pop();
