@@ -235,7 +235,7 @@ pub struct Class {
     pub builtin: bool,
     /// `__slots__` without `__dict__` all the way up: instances take these names only.
     pub slots: Option<Vec<Symbol>>,
-    /// Whether `__getattribute__` is the program's own, here or in a base.
+    /// Whether there is a `__getattribute__` or `__getattr__` of the program's own, here or in a base.
     pub hooked: bool,
     /// Direct subclasses.
     pub subclasses: Vec<Ref<Class>>,

@@ -68,15 +68,17 @@ pub const OS_ERROR: &[Native] = &[
     Native::static_method("__new__", 1, ANY, new_os_error).keywords(),
     Native::getter("errno", |vm, a| Ok(os_part(vm, a, 0))),
     Native::getter("strerror", |vm, a| Ok(os_part(vm, a, 1))),
-    Native::getter("filename", |vm, a| Ok(os_part(vm, a, 2))),
+    Native::raw("__init__", 0, ANY, init_os_error),
+    Native::getter("filename", |vm, a| Ok(os_file(vm, a.at(0)))),
     Native::raw("__str__", 0, 0, |vm, a| {
         let args = arguments(vm, a.at(0));
         if args.len() < 2 {
             return str(vm, a);
         }
         let mut text = format!("[Errno {}] {}", vm.str(args[0])?, vm.str(args[1])?);
-        if let Some(file) = args.get(2) {
-            text.push_str(&format!(": {}", vm.repr(*file)?));
+        let file = os_file(vm, a.at(0));
+        if !file.is_none() {
+            text.push_str(&format!(": {}", vm.repr(file)?));
         }
         Ok(vm.new_str(text))
     }),
@@ -217,6 +219,29 @@ fn new_os_error(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     vm.default_new(special.map_or(class, Builtin::class), rest)
 }
 
+/// The file stands beside the arguments.
+fn init_os_error(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
+    let count = if args.pos.len() > 3 { 3 } else { args.pos.len() };
+    init(vm, Args { pos: &args.pos[..count], kw: args.kw })?;
+    if let Some(file) = args.get(3) {
+        let name = vm.symbols.intern(FILE);
+        vm.set_own_attr(args.at(0), name, file);
+    }
+    Ok(Value::None)
+}
+
+/// The file of an OSError.
+fn os_file(vm: &mut Vm<'_>, exception: Value) -> Value {
+    let name = vm.symbols.intern(FILE);
+    match exception {
+        Value::Instance(i) => vm.own_attr(i, name).unwrap_or(Value::None),
+        _ => Value::None,
+    }
+}
+
+/// No name that a program could write.
+const FILE: &str = ".filename";
+
 fn os_part(vm: &Vm<'_>, args: Args<'_>, part: usize) -> Value {
     let items = arguments(vm, args.at(0));
     if items.len() < 2 { Value::None } else { items.get(part).copied().unwrap_or(Value::None) }
@@ -270,6 +295,12 @@ fn new_group(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 fn fits(vm: &mut Vm<'_>, exception: Value, condition: Value) -> R<bool> {
     match condition {
         Value::Class(_) | Value::Tuple(_) => vm.exception_matches(exception, condition),
+        function
+            if vm.special(function, sym::CALL).is_none()
+                && !matches!(function, Value::Function(_) | Value::Native(_) | Value::Method(_)) =>
+        {
+            Err(vm.type_error("expected a function, exception type or tuple of exception types"))
+        }
         function => {
             let said = vm.call(function, &[exception])?;
             vm.truth(said)

@@ -225,7 +225,7 @@ impl Vm<'_> {
                 }
                 let removed = self.heap[c].attrs.shift_remove(&name);
                 self.attr_cache.clear();
-                if name == sym::GETATTRIBUTE {
+                if matches!(name, sym::GETATTRIBUTE | sym::GETATTR) {
                     self.rehook(c);
                 }
                 match removed {
@@ -393,6 +393,13 @@ impl Vm<'_> {
                     function.qualname = value;
                 }
             }
+            sym::DICT => match value {
+                Value::Dict(d) => self.heap[f].attrs = Attrs::Dict(d),
+                _ => {
+                    let message = format!("__dict__ must be set to a dictionary, not a '{}'", self.type_name(value));
+                    return Err(self.type_error(message));
+                }
+            },
             sym::DOC => self.heap[f].doc = value,
             sym::MODULE => self.heap[f].module_name = value,
             sym::ANNOTATIONS => self.heap[f].annotations = value,

@@ -71,7 +71,7 @@ impl Vm<'_> {
             let name = self.symbols.intern(native.name);
             self.heap[class].attrs.entry(name).or_insert(Value::Native(native));
         }
-        let unhashable = [Builtin::List, Builtin::Dict, Builtin::Set, Builtin::ByteArray];
+        let unhashable = [Builtin::List, Builtin::Dict, Builtin::Set, Builtin::ByteArray, Builtin::DictKeys, Builtin::DictItems];
         if unhashable.iter().any(|b| b.class() == class) {
             self.heap[class].attrs.insert(sym::HASH, Value::None);
         }
@@ -225,9 +225,14 @@ impl Vm<'_> {
         {
             return self.hooked_attr(object, class, hook, name);
         }
-        match self.default_instance_attr(object, i, name)? {
-            Some(found) => Ok(Some(found)),
-            None => self.missing_attr(object, class, name),
+        match self.default_instance_attr(object, i, name) {
+            Ok(Some(found)) => Ok(Some(found)),
+            Ok(None) => self.missing_attr(object, class, name),
+            // A property may raise AttributeError to say that there is none.
+            Err(raise) if self.raised(&raise, Builtin::AttributeError) && self.class_attr(class, sym::GETATTR).is_some() => {
+                self.missing_attr(object, class, name)
+            }
+            Err(raise) => Err(raise),
         }
     }
 
@@ -532,6 +537,12 @@ impl Vm<'_> {
         let Super { class, object, object_class } = self.heap[s];
         if name == sym::CLASS {
             return Ok(Some(Found::Value(Builtin::Super.value())));
+        }
+        match self.symbols.text(name) {
+            "__thisclass__" => return Ok(Some(Found::Value(Value::Class(class)))),
+            "__self__" => return Ok(Some(Found::Value(object))),
+            "__self_class__" => return Ok(Some(Found::Value(Value::Class(object_class)))),
+            _ => {}
         }
         let mro = self.heap[object_class].mro.clone();
         let start = mro.iter().position(|c| *c == class).map_or(0, |p| p + 1);

@@ -105,7 +105,16 @@ impl Vm<'_> {
                 let plain = self.plain(receiver);
                 let mut all: Few = SmallVec::from_slice(args.pos);
                 all[0] = plain;
-                return (native.body)(self, Args { pos: &all, kw: args.kw });
+                let result = (native.body)(self, Args { pos: &all, kw: args.kw });
+                return match result {
+                    // `super().__getitem__(key)` in a subclass of dict asks the subclass's `__missing__`.
+                    Err(raise)
+                        if native.name == "__getitem__" && matches!(plain, Value::Dict(_)) && self.raised(&raise, Builtin::KeyError) =>
+                    {
+                        self.call_special(receiver, sym::MISSING, &all[1..])?.ok_or(raise)
+                    }
+                    result => result,
+                };
             }
         }
         (native.body)(self, args)

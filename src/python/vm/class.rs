@@ -133,13 +133,13 @@ impl Vm<'_> {
             }
         }
         self.attr_cache.clear();
-        if name == sym::GETATTRIBUTE {
+        if matches!(name, sym::GETATTRIBUTE | sym::GETATTR) {
             self.rehook(class);
         }
         Ok(())
     }
 
-    /// A class got another `__getattribute__`: so did its subclasses.
+    /// A class got another `__getattribute__` or `__getattr__`: so did its subclasses.
     pub(super) fn rehook(&mut self, class: Ref<Class>) {
         let mut todo = vec![class];
         while let Some(class) = todo.pop() {
@@ -253,8 +253,13 @@ impl Vm<'_> {
             let message = format!("type.__new__() argument 1 must be str, not {}", self.type_name(name));
             return Err(self.type_error(message));
         };
+        let given = self.collect(bases)?;
+        let meta = match self.metaclass(Some(Value::Class(meta)), &given)? {
+            Value::Class(c) => c,
+            _ => meta,
+        };
         let mut base_classes: SmallVec<[Ref<Class>; 1]> = SmallVec::new();
-        for base in self.collect(bases)? {
+        for base in given {
             match base {
                 Value::Class(c) => base_classes.push(c),
                 _ => return Err(self.type_error("bases must be types")),
@@ -263,11 +268,6 @@ impl Vm<'_> {
         if base_classes.is_empty() {
             base_classes.push(Builtin::Object.class());
         }
-        let bases_values: SmallVec<[Value; 3]> = base_classes.iter().map(|c| Value::Class(*c)).collect();
-        let meta = match self.metaclass(Some(Value::Class(meta)), &bases_values)? {
-            Value::Class(c) => c,
-            _ => meta,
-        };
         let layout = self.common_layout(&base_classes)?;
         let mro = self.linearize(&base_classes)?;
         let class = self.heap.alloc(Class {
@@ -296,10 +296,10 @@ impl Vm<'_> {
         Ok(Value::Class(class))
     }
 
-    /// Notes whether instances have a `__getattribute__` of the program's own.
+    /// Notes whether instances have a `__getattribute__` or `__getattr__` of the program's own.
     fn note_hook(&mut self, class: Ref<Class>) {
         let hooked = matches!(self.class_attr(class, sym::GETATTRIBUTE), Some(hook) if !matches!(hook, Value::Native(_)));
-        self.heap[class].hooked = hooked;
+        self.heap[class].hooked = hooked || self.class_attr(class, sym::GETATTR).is_some();
     }
 
     /// A metaclass may have a say in the order of resolution.
