@@ -39,7 +39,7 @@ pub(super) fn binary(vm: &mut Vm<'_>, op: BinaryOp, a: Complex, b: Complex) -> R
                 return Err(zero_division(vm, "0.0 to a negative or complex power"));
             }
             let result =
-                if b.im == 0.0 && b.re == b.re.floor() && b.re.abs() <= 100.0 { integer_power(a, b.re as i64) } else { Some(pow(a, b)) };
+                if b.im == 0.0 && b.re == b.re.floor() && b.re.abs() <= 100.0 { integer_power(a, b.re as i64) } else { pow(a, b) };
             match result {
                 Some(r) if r.re.is_infinite() || r.im.is_infinite() => {
                     return Err(vm.error(Builtin::OverflowError, "complex exponentiation".into()));
@@ -89,13 +89,13 @@ fn integer_power(a: Complex, exponent: i64) -> Option<Complex> {
     if exponent > 0 { Some(result) } else { divide(one, result) }
 }
 
-/// `a ** b` for a ≠ 0, by polar coordinates.
-pub(super) fn pow(a: Complex, b: Complex) -> Complex {
+/// `a ** b` for a ≠ 0, by polar coordinates; `None` where the angle is infinite.
+fn pow(a: Complex, b: Complex) -> Option<Complex> {
     if b.re == 0.0 && b.im == 0.0 {
-        return Complex { re: 1.0, im: 0.0 };
+        return Some(Complex { re: 1.0, im: 0.0 });
     }
     if a.re == 0.0 && a.im == 0.0 {
-        return Complex { re: 0.0, im: 0.0 };
+        return Some(Complex { re: 0.0, im: 0.0 });
     }
     let length = libm::hypot(a.re, a.im);
     let angle = libm::atan2(a.im, a.re);
@@ -104,7 +104,7 @@ pub(super) fn pow(a: Complex, b: Complex) -> Complex {
         size *= libm::exp(-angle * b.im);
         phase += b.im * libm::log(length);
     }
-    Complex { re: size * libm::cos(phase), im: size * libm::sin(phase) }
+    (!phase.is_infinite()).then(|| Complex { re: size * libm::cos(phase), im: size * libm::sin(phase) })
 }
 
 /// `abs(c)`

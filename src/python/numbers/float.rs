@@ -94,8 +94,8 @@ pub(super) fn power(vm: &mut Vm<'_>, a: Num, b: Num) -> R<Value> {
     }
     if x < 0.0 && x.is_finite() && y.is_finite() && y != y.floor() {
         vm.trace.pin(a);
-        let result = super::complex::pow(Complex { re: x, im: 0.0 }, Complex { re: y, im: 0.0 });
-        return Ok(Value::Complex(vm.heap.alloc(result)));
+        let (base, exponent) = (Complex { re: x, im: 0.0 }, Complex { re: y, im: 0.0 });
+        return Ok(super::complex::binary(vm, BinaryOp::Pow, base, exponent)?.unwrap_or(Value::NotImplemented));
     }
     let result = libm::pow(x, y);
     let overflows = result.is_infinite() && x.is_finite() && y.is_finite();

@@ -203,7 +203,7 @@ impl<'a> Percent<'a> {
                 self.put_number(field, negative, prefix, &digits);
             }
             'e' | 'E' | 'f' | 'F' | 'g' | 'G' => {
-                let x = vm.as_float(value)?;
+                let x = self.float(vm, value)?;
                 let wishes = float::Wishes { alternate: field.alternate, ..Default::default() };
                 let mut text = float::write(x, style(kind, Some(field.precision.unwrap_or(6))), wishes);
                 if kind.is_ascii_uppercase() {
@@ -254,6 +254,7 @@ impl<'a> Percent<'a> {
             }
             _ => {
                 let (class, wanted) = (vm.type_name(value), if based { "an integer" } else { "a real number" });
+                let kind = if self.of_bytes && kind == 'i' { 'd' } else { kind };
                 return Err(vm.type_error(format!("%{kind} format: {wanted} is required, not {class}")));
             }
         };
@@ -265,6 +266,14 @@ impl<'a> Percent<'a> {
             digits.insert_str(0, &"0".repeat(missing));
         }
         Ok((if field.alternate { prefix } else { "" }, digits, big.is_negative()))
+    }
+
+    fn float(&self, vm: &mut Vm<'_>, value: Value) -> R<f64> {
+        if self.of_bytes && !matches!(value, Value::Instance(_)) && numbers::Number::of(vm, value).is_none() {
+            let class = vm.type_name(value);
+            return Err(vm.type_error(format!("float argument required, not {class}")));
+        }
+        vm.as_float(value)
     }
 
     fn character(&self, vm: &mut Vm<'_>, value: Value) -> R<char> {

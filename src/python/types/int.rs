@@ -191,8 +191,8 @@ fn to_bytes(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     vm.reserve(length)?;
     vm.charge(length as u64 / 64)?;
     let mut bytes = if signed { value.to_signed_bytes_le() } else { value.magnitude().to_bytes_le() };
-    // Zero has no digits, and a sign byte that says nothing new may go.
-    if value.sign() == Sign::NoSign {
+    // Zero has no digits; neither has −1 where nothing is asked for, as in CPython.
+    if value.sign() == Sign::NoSign || length == 0 && value == BigInt::from(-1) {
         bytes.clear();
     }
     if bytes.len() > length {
