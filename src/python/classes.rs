@@ -2,6 +2,7 @@
 
 use super::heap::{Class, Heap, Layout, Ref};
 use super::native::Native;
+use super::symbols::sym;
 use super::types;
 use super::value::Value;
 
@@ -240,6 +241,10 @@ pub(super) fn install(heap: &mut Heap) {
             hooked: false,
             subclasses: Vec::new(),
         });
+    }
+    // What can change cannot be a key, and says so.
+    for builtin in [Builtin::List, Builtin::Dict, Builtin::Set, Builtin::ByteArray, Builtin::Slice] {
+        heap[builtin.class()].attrs.insert(sym::HASH, Value::None);
     }
     for (i, row) in ROWS.iter().enumerate() {
         for base in row.bases {

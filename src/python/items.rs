@@ -162,8 +162,36 @@ impl Vm<'_> {
                 inner => self.get_item(inner, index),
             },
             (Value::Instance(_) | Value::Class(_), _) => self.get_item_special(object, index),
+            (Value::Alias(r), _) => self.filled_alias(object, r, index),
             _ => self.not_subscriptable(object),
         }
+    }
+
+    /// `list[T][int]`: the type variables among the arguments are replaced, in order.
+    fn filled_alias(&mut self, object: Value, alias: Ref<Alias>, index: Value) -> R<Value> {
+        let Alias { origin, args } = self.heap[alias].clone();
+        let mut variables: Vec<Value> = Vec::new();
+        for &arg in &args {
+            if matches!(arg, Value::Instance(_)) && self.type_name(arg) == "TypeVar" && !variables.iter().any(|v| v.is(arg)) {
+                variables.push(arg);
+            }
+        }
+        if variables.is_empty() {
+            let shown = self.repr(object)?;
+            return Err(self.type_error(format!("{shown} is not a generic class")));
+        }
+        let given = match index {
+            Value::Tuple(t) => self.heap[t].0.to_vec(),
+            one => vec![one],
+        };
+        if given.len() != variables.len() {
+            let (shown, few) = (self.repr(object)?, if given.len() < variables.len() { "few" } else { "many" });
+            let (n, wanted) = (given.len(), variables.len());
+            return Err(self.type_error(format!("Too {few} arguments for {shown}; actual {n}, expected {wanted}")));
+        }
+        let filled = |arg: &Value| variables.iter().position(|v| v.is(*arg)).map_or(*arg, |i| given[i]);
+        let args = args.iter().map(filled).collect();
+        Ok(Value::Alias(self.heap.alloc(Alias { origin, args })))
     }
 
     fn get_character(&mut self, text: Ref<Str>, index: Value) -> R<Value> {
@@ -417,11 +445,11 @@ impl Vm<'_> {
     }
 
     fn contains_special(&mut self, container: Value, item: Value) -> R<bool> {
+        if self.refuses(container, sym::CONTAINS) {
+            let name = self.type_name(container);
+            return Err(self.type_error(format!("'{name}' object is not a container")));
+        }
         match self.special(container, sym::CONTAINS) {
-            Some(Value::None) => {
-                let name = self.type_name(container);
-                Err(self.type_error(format!("'{name}' object is not a container")))
-            }
             Some(method) if self.is_native(method) && !matches!(self.plain(container), Value::Instance(_) | Value::Class(_)) => {
                 let plain = self.plain(container);
                 self.contains(plain, item)

@@ -6,7 +6,7 @@ use super::heap::*;
 use super::iter::IterState;
 use super::modules::itertools;
 use super::symbols::sym;
-use super::value::{BinaryOp, Value};
+use super::value::{BinaryOp, Symbol, Value};
 use super::vm::Vm;
 
 /// The size of a value, in bytes, as memory limits count it.
@@ -62,15 +62,15 @@ impl Vm<'_> {
 
     /// Through the class's `__iter__`, or `__getitem__` from 0 on.
     fn iter_special(&mut self, object: Value) -> R<Value> {
+        if self.refuses(object, sym::ITER) {
+            return self.not_iterable(object);
+        }
         let Some(method) = self.special(object, sym::ITER) else {
             return match self.special(object, sym::GETITEM) {
                 Some(_) => Ok(self.new_iter(IterState::Sequence { object, index: 0 })),
                 None => self.not_iterable(object),
             };
         };
-        if method.is_none() {
-            return self.not_iterable(object);
-        }
         if self.is_native(method) {
             let plain = self.plain(object);
             if !matches!(plain, Value::Instance(_) | Value::Class(_)) {
@@ -87,6 +87,12 @@ impl Vm<'_> {
             return Err(self.type_error(format!("iter() returned non-iterator of type '{name}'")));
         }
         Ok(iter)
+    }
+
+    /// True where the class says by None that it does not have this special method.
+    pub(super) fn refuses(&mut self, object: Value, name: Symbol) -> bool {
+        let class = self.class_of(object);
+        self.class_attr(class, name).is_some_and(|method| method.is_none())
     }
 
     /// True for a method written in Rust, bound to its receiver.

@@ -1,6 +1,7 @@
 //! `_operator`: the operators as functions. What `operator` has beyond (`itemgetter` and its like) is in `lib/operator.py`.
 
 use super::Item;
+use crate::python::classes::Builtin;
 use crate::python::error::R;
 use crate::python::native::{Args, Native};
 use crate::python::symbols::sym;
@@ -108,9 +109,21 @@ fn concat(vm: &mut Vm<'_>, args: Args<'_>, inplace: bool) -> R<Value> {
     if inplace { vm.inplace(BinaryOp::Add, a, b) } else { vm.binary(BinaryOp::Add, a, b) }
 }
 
+/// An iterator over what is searched.
+fn searched(vm: &mut Vm<'_>, object: Value) -> R<Value> {
+    match vm.iter(object) {
+        Err(raise) if vm.raised(&raise, Builtin::TypeError) => {
+            let name = vm.type_name(object);
+            Err(vm.type_error(format!("argument of type '{name}' is not iterable")))
+        }
+        other => other,
+    }
+}
+
 fn count_of(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     let mut n = 0;
-    vm.for_each(args.at(0), |vm, item| {
+    let iter = searched(vm, args.at(0))?;
+    vm.for_each(iter, |vm, item| {
         n += i64::from(vm.eq(item, args.at(1))?);
         Ok(true)
     })?;
@@ -119,7 +132,8 @@ fn count_of(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 
 fn index_of(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     let (mut at, mut found) = (0, false);
-    vm.for_each(args.at(0), |vm, item| {
+    let iter = searched(vm, args.at(0))?;
+    vm.for_each(iter, |vm, item| {
         found = vm.eq(item, args.at(1))?;
         at += i64::from(!found);
         Ok(!found)

@@ -131,10 +131,10 @@ fn reversed(vm: &mut Vm<'_>, object: Value) -> R<Value> {
             None => return not_reversible(vm, object),
         },
         Value::Instance(_) | Value::Class(_) => {
+            if vm.refuses(object, sym::REVERSED) {
+                return not_reversible(vm, object);
+            }
             if let Some(method) = vm.special(object, sym::REVERSED) {
-                if method.is_none() {
-                    return not_reversible(vm, object);
-                }
                 return vm.call(method, &[]);
             }
             if vm.special(object, sym::GETITEM).is_none() || matches!(vm.plain(object), Value::Set(_) | Value::FrozenSet(_)) {
