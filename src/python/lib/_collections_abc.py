@@ -7,6 +7,8 @@ from _abc import ABCMeta, abstractmethod
 from _types import GenericAlias, mappingproxy
 from collections import deque
 
+__name__ = "collections.abc"
+
 __all__ = [
     "Awaitable", "Coroutine", "AsyncIterable", "AsyncIterator", "AsyncGenerator",
     "Hashable", "Iterable", "Iterator", "Generator", "Reversible", "Sized", "Container", "Callable", "Collection",

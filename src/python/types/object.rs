@@ -230,7 +230,7 @@ fn union(vm: &mut Vm<'_>, a: Value, b: Value) -> R<Value> {
             Value::None => members.push(Builtin::NoneType.value()),
             Value::Class(_) => members.push(side),
             Value::Alias(alias) if vm.heap[alias].origin.is_none() => members.extend(vm.heap[alias].args.clone()),
-            Value::Alias(_) | Value::Instance(_) => members.push(side),
+            Value::Alias(_) => members.push(side),
             _ => return Ok(Value::NotImplemented),
         }
     }

@@ -79,11 +79,14 @@ impl Vm<'_> {
                     return Err(self.error(Builtin::AttributeError, message));
                 }
                 Value::Instance(d) => {
-                    if let Base::Value(Value::Property(p)) = self.heap[d].base {
+                    let owner = self.heap[d].class;
+                    let set = self.class_attr(owner, sym::SET);
+                    if let Base::Value(Value::Property(p)) = self.heap[d].base
+                        && !matches!(set, Some(Value::Function(_)))
+                    {
                         return self.set_property(p, object, name, value);
                     }
-                    let owner = self.heap[d].class;
-                    if let Some(set) = self.class_attr(owner, sym::SET) {
+                    if let Some(set) = set {
                         return self.call_unbound(set, on_class, &[object, value]).map(|_| ());
                     }
                 }
@@ -223,15 +226,7 @@ impl Vm<'_> {
                     let text = self.symbol_text(name);
                     return self.call_unbound(hook, object, &[text]).map(|_| ());
                 }
-                let removed = self.heap[c].attrs.shift_remove(&name);
-                self.attr_cache.clear();
-                if matches!(name, sym::GETATTRIBUTE | sym::GETATTR) {
-                    self.rehook(c);
-                }
-                match removed {
-                    Some(_) => Ok(()),
-                    None => Err(self.no_attribute(object, name)),
-                }
+                self.del_type_attr(c, name)
             }
             Value::Module(m) => match self.heap[m].index.get(&name).copied() {
                 Some(slot) if !self.heap[m].slots[slot as usize].is_undefined() => {
@@ -255,6 +250,19 @@ impl Vm<'_> {
             }
             Value::Host(_) | Value::Record(_) => Err(self.no_attribute(object, name)),
             _ => Err(self.cannot_set(object, name)),
+        }
+    }
+
+    /// What `type.__delattr__` does.
+    pub(super) fn del_type_attr(&mut self, c: Ref<Class>, name: Symbol) -> R<()> {
+        let removed = self.heap[c].attrs.shift_remove(&name);
+        self.attr_cache.clear();
+        if matches!(name, sym::GETATTRIBUTE | sym::GETATTR) {
+            self.rehook(c);
+        }
+        match removed {
+            Some(_) => Ok(()),
+            None => Err(self.no_attribute(Value::Class(c), name)),
         }
     }
 

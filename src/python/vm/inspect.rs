@@ -111,6 +111,7 @@ impl Vm<'_> {
     pub(crate) fn del_attr_without_hooks(&mut self, object: Value, name: Symbol) -> R<()> {
         match object {
             Value::Instance(i) => self.del_instance_attr(object, i, name),
+            Value::Class(c) if !self.heap[c].builtin => self.del_type_attr(c, name),
             _ => self.del_attr(object, name),
         }
     }
