@@ -105,7 +105,7 @@ fn every_format_is_written() {
     for format in ["text", "json", "jsonl", "sarif", "github", "gitlab", "junit"] {
         let output = psdl(folder.path(), &["check", "--format", format, "."]);
         assert_eq!(code(&output), 1, "{format}");
-        assert_eq!(out(&output).matches("overlaps a by").count() > 1, true, "{format}");
+        assert!(out(&output).matches("overlaps a by").count() > 1, "{format}");
         assert!(err(&output).is_empty(), "{format}");
     }
     let document: serde_json::Value =

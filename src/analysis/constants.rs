@@ -78,10 +78,9 @@ fn mark(nodes: &[Node], at: usize, reached: &mut [bool], used: &mut [bool]) {
             Node::Binary(_, a, b, _) => [Some(a), Some(b)],
         };
         for operand in operands.into_iter().flatten() {
-            if let Some(below) = (operand.handle.0 as usize).checked_sub(1) {
-                if matches!(nodes.get(below), Some(Node::Literal(..))) || !std::mem::replace(&mut reached[below], true) {
-                    todo.push(below);
-                }
+            let Some(below) = (operand.handle.0 as usize).checked_sub(1) else { continue };
+            if matches!(nodes.get(below), Some(Node::Literal(..))) || !std::mem::replace(&mut reached[below], true) {
+                todo.push(below);
             }
         }
     }

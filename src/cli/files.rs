@@ -33,6 +33,9 @@ pub(super) struct Loaded {
     pub template: Option<(String, Result<String, Trouble>)>,
 }
 
+/// A program, and path and text of its template.
+pub(super) type Texts<'a> = (&'a str, Option<(&'a str, &'a str)>);
+
 /// Why a file is no text.
 #[derive(Debug)]
 pub(super) enum Trouble {
@@ -89,7 +92,7 @@ impl fmt::Display for Trouble {
 
 impl Loaded {
     /// The program, and path and text of its template, where all of them are texts.
-    pub(super) fn texts(&self) -> Result<(&str, Option<(&str, &str)>), Failure> {
+    pub(super) fn texts(&self) -> Result<Texts<'_>, Failure> {
         let wrong = |path: &str, trouble: &Trouble| Failure::new(format!("{path}: {trouble}"));
         let text = self.text.as_ref().map_err(|trouble| wrong(&self.path, trouble))?;
         let template = self.template.as_ref().map(|(path, text)| match text {

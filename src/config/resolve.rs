@@ -49,8 +49,11 @@ pub struct Resolver<'a> {
     read: Box<Read<'a>>,
     fixed: Option<PathBuf>,
     settings: Vec<Setting>,
-    folders: Mutex<FxHashMap<PathBuf, Result<Option<Arc<Chain>>, Arc<ConfigError>>>>,
+    folders: Mutex<FxHashMap<PathBuf, Known>>,
 }
+
+/// What was found in a folder, or under a name.
+type Known = Result<Option<Arc<Chain>>, Arc<ConfigError>>;
 
 /// A file with those that it extends, the farthest first.
 struct Chain {
@@ -101,11 +104,7 @@ impl<'a> Resolver<'a> {
         Ok(resolved)
     }
 
-    fn known(
-        &self,
-        path: &Path,
-        find: impl FnOnce(&Path) -> Result<Option<Chain>, ConfigError>,
-    ) -> Result<Option<Arc<Chain>>, Arc<ConfigError>> {
+    fn known(&self, path: &Path, find: impl FnOnce(&Path) -> Result<Option<Chain>, ConfigError>) -> Known {
         if let Some(known) = self.folders.lock().unwrap_or_else(PoisonError::into_inner).get(path) {
             return known.clone();
         }
@@ -115,7 +114,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// The file of the folder, or of the nearest one above that has one.
-    fn nearest(&self, folder: &Path) -> Result<Option<Arc<Chain>>, Arc<ConfigError>> {
+    fn nearest(&self, folder: &Path) -> Known {
         for folder in folder.ancestors() {
             let found = self.known(folder, |folder| {
                 let path = folder.join(FILE_NAME);

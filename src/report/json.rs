@@ -72,7 +72,7 @@ enum Line<'a> {
     Finding {
         path: &'a str,
         #[serde(flatten)]
-        finding: One<'a>,
+        finding: Box<One<'a>>,
     },
     Summary {
         #[serde(flatten)]
@@ -101,7 +101,7 @@ pub(super) fn file(file: &FileReport) -> String {
 
 pub(super) fn lines(file: &FileReport) -> String {
     findings(file).into_iter().fold(String::new(), |mut lines, finding| {
-        let _ = writeln!(lines, "{}", to_json(&Line::Finding { path: file.path, finding }));
+        let _ = writeln!(lines, "{}", to_json(&Line::Finding { path: file.path, finding: Box::new(finding) }));
         lines
     })
 }

@@ -46,7 +46,7 @@ macro_rules! unary {
 }
 
 operators! {
-    "abs", 1, |vm, args| crate::python::builtins::abs(vm, args);
+    "abs", 1, crate::python::builtins::abs;
     "add", 2, binary!(Add);
     "and_", 2, binary!(And);
     "concat", 2, |vm, args| concat(vm, args, false);

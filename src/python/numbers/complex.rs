@@ -38,8 +38,7 @@ pub(super) fn binary(vm: &mut Vm<'_>, op: BinaryOp, a: Complex, b: Complex) -> R
             if a.re == 0.0 && a.im == 0.0 && (b.re < 0.0 || b.im != 0.0) {
                 return Err(zero_division(vm, "0.0 to a negative or complex power"));
             }
-            let result =
-                if b.im == 0.0 && b.re == b.re.floor() && b.re.abs() <= 100.0 { integer_power(a, b.re as i64) } else { pow(a, b) };
+            let result = if b.im == 0.0 && b.re == b.re.floor() && b.re.abs() <= 100.0 { integer_power(a, b.re as i64) } else { pow(a, b) };
             match result {
                 Some(r) if r.re.is_infinite() || r.im.is_infinite() => {
                     return Err(vm.error(Builtin::OverflowError, "complex exponentiation".into()));

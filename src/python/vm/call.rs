@@ -94,10 +94,10 @@ impl Vm<'_> {
             return Err(self.type_error(format!("{name}() takes no keyword arguments")));
         }
         let (min, max) = native.arity;
-        if given < usize::from(min) || (max != ANY && given > usize::from(max)) {
-            if !(native.keywords && given < usize::from(min) && given + args.kw.len() >= usize::from(min)) {
-                return Err(self.arity_error(native, args, given));
-            }
+        let out_of_range = given < usize::from(min) || (max != ANY && given > usize::from(max));
+        let by_keyword = native.keywords && given < usize::from(min) && given + args.kw.len() >= usize::from(min);
+        if out_of_range && !by_keyword {
+            return Err(self.arity_error(native, args, given));
         }
         if matches!(native.kind, NativeKind::Method | NativeKind::Getter) {
             let receiver = args.pos[0];

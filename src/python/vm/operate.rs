@@ -336,9 +336,8 @@ impl Vm<'_> {
             Value::Bool(b) => return Ok(Value::int(i64::from(b))),
             _ => {}
         }
-        match self.plain(value) {
-            plain @ (Value::Int(..) | Value::Big(_)) => return Ok(plain),
-            _ => {}
+        if let plain @ (Value::Int(..) | Value::Big(_)) = self.plain(value) {
+            return Ok(plain);
         }
         match self.call_special(value, sym::INDEX, &[])? {
             Some(found) => match self.plain(found) {

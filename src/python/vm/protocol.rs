@@ -382,9 +382,9 @@ impl Vm<'_> {
 
     /// `{**mapping}`
     pub(super) fn update_from_mapping(&mut self, dict: Ref<Dict>, mapping: Value) -> R<()> {
-        for (key, value) in self.mapping_items(mapping)?.ok_or(()).or_else(|()| {
+        for (key, value) in self.mapping_items(mapping)?.ok_or(()).map_err(|()| {
             let message = format!("'{}' object is not a mapping", self.type_name(mapping));
-            Err(self.type_error(message))
+            self.type_error(message)
         })? {
             self.dict_set(dict, key, value)?;
         }

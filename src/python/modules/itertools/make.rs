@@ -26,7 +26,8 @@ pub fn chain(vm: &mut Vm<'_>, iterable: Value) -> R<Value> {
 
 /// An iterator of the builtin class number `class`; `None` where that is none of `itertools`.
 pub fn construct(vm: &mut Vm<'_>, class: u32, args: Args<'_>) -> R<Option<Value>> {
-    const CLASSES: &[(Builtin, fn(&mut Vm<'_>, Args<'_>) -> R<Tool>)] = &[
+    type Make = fn(&mut Vm<'_>, Args<'_>) -> R<Tool>;
+    const CLASSES: &[(Builtin, Make)] = &[
         (Builtin::ToolAccumulate, accumulate),
         (Builtin::ToolChain, |vm, args| {
             positional(vm, "chain", &args, 0, usize::MAX)?;
