@@ -269,7 +269,8 @@ impl<'a> Percent<'a> {
     }
 
     fn float(&self, vm: &mut Vm<'_>, value: Value) -> R<f64> {
-        if self.of_bytes && !matches!(value, Value::Instance(_)) && numbers::Number::of(vm, value).is_none() {
+        let real = matches!(value, Value::Int(..) | Value::Float(..) | Value::Bool(_) | Value::Big(_) | Value::Instance(_));
+        if self.of_bytes && !real {
             let class = vm.type_name(value);
             return Err(vm.type_error(format!("float argument required, not {class}")));
         }
