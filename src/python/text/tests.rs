@@ -38,6 +38,7 @@ fn every_value_takes_every_spec_as_in_cpython() {
 }
 
 #[test]
+#[allow(clippy::excessive_precision)]
 fn floats_read_back() {
     for (x, expected) in rows::<(String, String)>(include_str!("../recorded/float_repr.json")) {
         assert_eq!(float_repr(float(&x)), expected);
