@@ -88,7 +88,7 @@ fn sort_by(vm: &mut Vm<'_>, items: Vec<Value>, order: Order) -> R<Vec<Value>> {
     if order.reverse {
         places.reverse();
     }
-    match plain_order(&vm.heap, &keys) {
+    match plain_order(&keys) {
         Some(compare) => places.sort_by(|&a, &b| compare(&vm.heap, keys[a as usize], keys[b as usize])),
         None => merge_sort(vm, &mut places, &keys)?,
     }
@@ -101,9 +101,8 @@ fn sort_by(vm: &mut Vm<'_>, items: Vec<Value>, order: Order) -> R<Vec<Value>> {
 type Compare = fn(&Heap, Value, Value) -> Ordering;
 
 /// The comparison of keys that are all of one plain type and untraced: no Python code runs, nothing is guarded.
-fn plain_order(heap: &Heap, keys: &[Value]) -> Option<Compare> {
+fn plain_order(keys: &[Value]) -> Option<Compare> {
     let all = |test: fn(&Value) -> bool| keys.iter().all(test);
-    let _ = heap;
     match keys.first()? {
         Value::Int(..) if all(|k| matches!(k, Value::Int(_, h) if h.is_none())) => Some(|_, a, b| match (a, b) {
             (Value::Int(a, _), Value::Int(b, _)) => a.cmp(&b),
