@@ -1,5 +1,6 @@
 //! The arguments. Help, completions and man pages are made from them.
 
+use super::lsp::LspArgs;
 use crate::check::finding::Code;
 use crate::report::Format;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -40,6 +41,8 @@ pub enum Command {
     Explain(ExplainArgs),
     /// Show what holds for a program, and where each value came from.
     Config(ConfigArgs),
+    /// Serve an editor: the language server protocol over standard input and output.
+    Lsp(LspArgs),
     /// Print the completions for a shell.
     Completions(CompletionsArgs),
     /// Write the man pages into a folder.

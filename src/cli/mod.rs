@@ -17,6 +17,7 @@ mod explain;
 mod export;
 mod files;
 mod generate;
+mod lsp;
 mod output;
 mod progress;
 mod run;
@@ -67,6 +68,7 @@ fn dispatch(args: Args) -> Result<Outcome, Failure> {
         Some(Command::Config(args)) => configuration::show(&args, errors),
         Some(Command::Completions(args)) => generate::completions(&args),
         Some(Command::Man(args)) => generate::man(&args),
+        Some(Command::Lsp(args)) => lsp::lsp(args),
         None => {
             let help = Args::command().render_help();
             output::print(&help.to_string())?;

@@ -1,0 +1,149 @@
+//! The language server as an editor feels it, through the real program: from a key to its diagnostics, from the start to
+//! the answer to `initialize`, and what 100,000 edits leave behind in memory.
+//!
+//! `cargo bench --bench server [-- FOLDER…]`: the programs of the folders, of `$PSDL_CORPUS`, or else of `examples`.
+
+#![allow(clippy::print_stdout, reason = "a table on standard output is what it is for")]
+
+#[path = "../tests/server/client.rs"]
+mod client;
+
+use client::{Client, capabilities, memory, uri};
+use psdl::syntax::{Encoding, LineIndex, parse, tune};
+use serde_json::{Value, json};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+/// Keys that are pressed in each program.
+const KEYS: i32 = 60;
+/// Edits of the test of endurance.
+const EDITS: i32 = 100_000;
+
+struct Program {
+    name: String,
+    uri: String,
+    text: String,
+    /// Behind the number nearest to the middle of the text.
+    middle: Value,
+    /// The same with a digit more.
+    behind: Value,
+}
+
+fn programs() -> Vec<Program> {
+    let mut folders: Vec<PathBuf> = std::env::args().skip(1).filter(|arg| !arg.starts_with("--")).map(PathBuf::from).collect();
+    if folders.is_empty() {
+        folders.push(std::env::var_os("PSDL_CORPUS").map_or_else(|| "examples".into(), PathBuf::from));
+    }
+    let mut paths: Vec<PathBuf> = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap()).map(|e| e.unwrap().path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|ending| ending == "psdl"));
+    paths.sort();
+    paths.into_iter().filter_map(program).collect()
+}
+
+fn program(path: PathBuf) -> Option<Program> {
+    let path = path.canonicalize().unwrap();
+    let text = std::fs::read_to_string(&path).unwrap();
+    let tuning = tune(&parse(&text), &text);
+    let constants = tuning.constants.iter().filter(|constant| constant.excluded.is_none());
+    let constant = constants.min_by_key(|constant| constant.range.end().to_usize().abs_diff(text.len() / 2))?;
+    let place = LineIndex::new(&text).line_column(constant.range.end(), &text, Encoding::Utf16);
+    let position = |more: u32| json!({"line": place.line, "character": place.column + more});
+    let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+    Some(Program { name, uri: uri(&path), middle: position(0), behind: position(1), text })
+}
+
+/// The edits of a key and of the one that takes it back.
+fn key(program: &Program, version: i32) -> Value {
+    let (end, text) = if version % 2 == 1 { (&program.middle, "1") } else { (&program.behind, "") };
+    json!([{"range": {"start": program.middle, "end": end}, "text": text}])
+}
+
+fn at(times: &mut [Duration], part: f64) -> f64 {
+    times.sort();
+    times[((times.len() - 1) as f64 * part).round() as usize].as_secs_f64() * 1e3
+}
+
+fn starts() {
+    let mut times: Vec<Duration> = (0..40)
+        .map(|_| {
+            let start = Instant::now();
+            let client = Client::start(capabilities("utf-16"));
+            let took = start.elapsed();
+            client.finish();
+            took
+        })
+        .collect();
+    println!(
+        "initialize answered after the start: p50 {:.1} ms, worst {:.1} ms (allowed: 20 ms)\n",
+        at(&mut times, 0.5),
+        at(&mut times, 1.0)
+    );
+}
+
+fn keys(programs: &[Program]) {
+    println!("{:28} {:>7} {:>9} {:>9} {:>9}", "key to diagnostics", "bytes", "p50 ms", "p99 ms", "worst ms");
+    let mut all = Vec::new();
+    let mut client = Client::start(capabilities("utf-16"));
+    for program in programs {
+        client.open(&program.uri, 0, &program.text);
+        client.diagnostics(&program.uri, 0);
+        let mut times = Vec::new();
+        for version in 1..=KEYS {
+            let start = Instant::now();
+            client.change(&program.uri, version, key(program, version));
+            client.diagnostics(&program.uri, version);
+            times.push(start.elapsed());
+            // Nobody types without a pause.
+            std::thread::sleep(Duration::from_millis(2));
+        }
+        client.close(&program.uri);
+        client.published(&program.uri);
+        all.extend(&times);
+        let (middle, most, worst) = (at(&mut times, 0.5), at(&mut times, 0.99), at(&mut times, 1.0));
+        println!("{:28.28} {:7} {middle:9.2} {most:9.2} {worst:9.2}", program.name, program.text.len());
+    }
+    let (middle, most, worst) = (at(&mut all, 0.5), at(&mut all, 0.99), at(&mut all, 1.0));
+    println!("{:28} {:7} {middle:9.2} {most:9.2} {worst:9.2}   (allowed: p99 5 ms)\n", "all", "");
+    client.finish();
+}
+
+fn endurance(programs: &[Program]) {
+    let mut client = Client::start(capabilities("utf-16"));
+    for program in programs {
+        client.open(&program.uri, 0, &program.text);
+        client.diagnostics(&program.uri, 0);
+    }
+    let mut halves = Vec::new();
+    let start = Instant::now();
+    for edit in 1..=EDITS {
+        let program = &programs[edit as usize / 500 % programs.len()];
+        client.change(&program.uri, edit, key(program, edit));
+        // Every fifth edit is waited for; those before it may be overtaken.
+        if edit % 5 == 0 {
+            client.diagnostics(&program.uri, edit);
+        }
+        if edit % (EDITS / 2) == 0 {
+            halves.push(memory(client.pid()).unwrap_or(0) as f64 / f64::from(1 << 20));
+        }
+    }
+    println!(
+        "{EDITS} edits in {} open programs: {:.1} MB after the first half, {:.1} MB after the second ({:+.1} %), {:.0} s (allowed: +5 %, 60 MB)",
+        programs.len(),
+        halves[0],
+        halves[1],
+        (halves[1] / halves[0] - 1.0) * 100.0,
+        start.elapsed().as_secs_f64(),
+    );
+    client.finish();
+}
+
+fn main() {
+    // `cargo test --benches` only wants to see that it starts.
+    if std::env::args().any(|arg| arg == "--test") {
+        return;
+    }
+    let programs = programs();
+    starts();
+    keys(&programs);
+    endurance(&programs);
+}

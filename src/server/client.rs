@@ -1,0 +1,112 @@
+//! What the client can do, and what is offered to it in return.
+
+use crate::syntax::Encoding;
+use tower_lsp_server::ls_types::{
+    CodeActionKind, CodeActionOptions, CodeActionProviderCapability, DiagnosticOptions, DiagnosticServerCapabilities, DiagnosticTag,
+    InitializeParams, OneOf, PositionEncodingKind, SaveOptions, ServerCapabilities, TextDocumentSyncCapability, TextDocumentSyncKind,
+    TextDocumentSyncOptions, TextDocumentSyncSaveOptions, WorkspaceFoldersServerCapabilities, WorkspaceServerCapabilities,
+};
+
+/// What the client can do.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Client {
+    /// In what columns are counted.
+    pub encoding: Encoding,
+    /// It asks for diagnostics; then none are sent to it unasked.
+    pub pulls: bool,
+    /// It can be told to ask again.
+    pub refreshes: bool,
+    /// It takes the diagnostics of other documents with those that it asked for.
+    pub related_documents: bool,
+    /// It shows second places.
+    pub related_information: bool,
+    /// It greys out what is not needed.
+    pub unnecessary: bool,
+    /// It shows the page of a code.
+    pub code_description: bool,
+    /// It takes edits with the version that they are for.
+    pub document_changes: bool,
+    /// It watches files when it is asked to.
+    pub watches: bool,
+}
+
+impl Default for Client {
+    fn default() -> Client {
+        Client {
+            encoding: Encoding::Utf16,
+            pulls: false,
+            refreshes: false,
+            related_documents: false,
+            related_information: false,
+            unnecessary: false,
+            code_description: false,
+            document_changes: false,
+            watches: false,
+        }
+    }
+}
+
+impl Client {
+    pub(super) fn new(params: &InitializeParams) -> Client {
+        let document = params.capabilities.text_document.as_ref();
+        let workspace = params.capabilities.workspace.as_ref();
+        let publish = document.and_then(|document| document.publish_diagnostics.as_ref());
+        let pull = document.and_then(|document| document.diagnostic.as_ref());
+        let tags = publish.and_then(|publish| publish.tag_support.as_ref());
+        let offered = params.capabilities.general.as_ref().and_then(|general| general.position_encodings.as_ref());
+        Client {
+            encoding: offered.and_then(|offered| offered.iter().find_map(encoding)).unwrap_or(Encoding::Utf16),
+            pulls: pull.is_some(),
+            refreshes: workspace.and_then(|workspace| workspace.diagnostics.as_ref()?.refresh_support).unwrap_or(false),
+            related_documents: pull.and_then(|pull| pull.related_document_support).unwrap_or(false),
+            related_information: publish.and_then(|publish| publish.related_information).unwrap_or(false),
+            unnecessary: tags.is_some_and(|tags| tags.value_set.contains(&DiagnosticTag::UNNECESSARY)),
+            code_description: publish.and_then(|publish| publish.code_description_support).unwrap_or(false),
+            document_changes: workspace.and_then(|workspace| workspace.workspace_edit.as_ref()?.document_changes).unwrap_or(false),
+            watches: workspace.and_then(|workspace| workspace.did_change_watched_files.as_ref()?.dynamic_registration).unwrap_or(false),
+        }
+    }
+
+    /// What is offered to it.
+    pub(super) fn offer(&self) -> ServerCapabilities {
+        let diagnostics = DiagnosticOptions {
+            identifier: Some("psdl".into()),
+            inter_file_dependencies: true,
+            workspace_diagnostics: false,
+            ..DiagnosticOptions::default()
+        };
+        let actions = CodeActionOptions { code_action_kinds: Some(vec![CodeActionKind::QUICKFIX]), ..CodeActionOptions::default() };
+        ServerCapabilities {
+            position_encoding: Some(match self.encoding {
+                Encoding::Utf8 => PositionEncodingKind::UTF8,
+                Encoding::Utf16 => PositionEncodingKind::UTF16,
+                Encoding::Utf32 => PositionEncodingKind::UTF32,
+            }),
+            text_document_sync: Some(TextDocumentSyncCapability::Options(TextDocumentSyncOptions {
+                open_close: Some(true),
+                change: Some(TextDocumentSyncKind::INCREMENTAL),
+                save: Some(TextDocumentSyncSaveOptions::SaveOptions(SaveOptions { include_text: Some(false) })),
+                ..TextDocumentSyncOptions::default()
+            })),
+            diagnostic_provider: self.pulls.then_some(DiagnosticServerCapabilities::Options(diagnostics)),
+            code_action_provider: Some(CodeActionProviderCapability::Options(actions)),
+            workspace: Some(WorkspaceServerCapabilities {
+                workspace_folders: Some(WorkspaceFoldersServerCapabilities {
+                    supported: Some(true),
+                    change_notifications: Some(OneOf::Left(true)),
+                }),
+                ..WorkspaceServerCapabilities::default()
+            }),
+            ..ServerCapabilities::default()
+        }
+    }
+}
+
+fn encoding(kind: &PositionEncodingKind) -> Option<Encoding> {
+    match kind.as_str() {
+        "utf-8" => Some(Encoding::Utf8),
+        "utf-16" => Some(Encoding::Utf16),
+        "utf-32" => Some(Encoding::Utf32),
+        _ => None,
+    }
+}

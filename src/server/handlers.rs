@@ -1,0 +1,292 @@
+//! What the client asks, and what is done about it. Documents are written before the first wait of a handler.
+
+use super::client::Client;
+use super::diagnostics::Report;
+use super::document::{self, Document, Role};
+use super::run::Outcome;
+use super::shared::{Latest, Shared};
+use super::state::{Key, State};
+use super::{actions, watch};
+use crate::check::finding::Source;
+use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use tower_lsp_server::LanguageServer;
+use tower_lsp_server::jsonrpc::{Error, Result};
+use tower_lsp_server::ls_types::{
+    CodeActionParams, CodeActionResponse, DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
+    DidChangeWorkspaceFoldersParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams,
+    DocumentDiagnosticParams, DocumentDiagnosticReport, DocumentDiagnosticReportKind, DocumentDiagnosticReportResult,
+    FullDocumentDiagnosticReport, InitializeParams, InitializeResult, InitializedParams, RelatedFullDocumentDiagnosticReport,
+    RelatedUnchangedDocumentDiagnosticReport, ServerInfo, SetTraceParams, TextDocumentIdentifier, UnchangedDocumentDiagnosticReport, Uri,
+};
+
+/// The handlers.
+#[derive(Debug)]
+pub(super) struct Backend {
+    pub shared: Arc<Shared>,
+    pub client: tower_lsp_server::Client,
+    /// Whether the client has asked to end.
+    pub ending: Arc<AtomicBool>,
+    pub refresh: watch::Refresh,
+}
+
+/// `psdl/text`: what the server believes to stand in a document.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct TextParams {
+    text_document: TextDocumentIdentifier,
+}
+
+/// The answer to `psdl/text`.
+#[derive(Debug, Serialize)]
+pub(super) struct TextResult {
+    version: i32,
+    text: String,
+}
+
+fn not_open() -> Error {
+    Error::invalid_params("the document is not open")
+}
+
+impl LanguageServer for Backend {
+    async fn initialize(&self, params: InitializeParams) -> Result<InitializeResult> {
+        let client = Client::new(&params);
+        let mut state = self.shared.state();
+        state.client = client;
+        state.trace = params.trace.unwrap_or_default();
+        let folders = params.workspace_folders.iter().flatten().map(|folder| &folder.uri);
+        state.roots = folders.filter_map(document::file_path).collect();
+        tracing::info!("initialize: columns in {:?}, diagnostics {}", client.encoding, if client.pulls { "pulled" } else { "pushed" });
+        let server_info = ServerInfo { name: "psdl".into(), version: Some(env!("CARGO_PKG_VERSION").into()) };
+        Ok(InitializeResult { capabilities: client.offer(), server_info: Some(server_info), offset_encoding: None })
+    }
+
+    async fn initialized(&self, _: InitializedParams) {
+        if self.shared.state().client.watches {
+            watch::register(self.client.clone());
+        }
+    }
+
+    async fn shutdown(&self) -> Result<()> {
+        self.ending.store(true, Ordering::Relaxed);
+        Ok(())
+    }
+
+    async fn did_open(&self, params: DidOpenTextDocumentParams) {
+        let item = params.text_document;
+        let mut state = self.shared.state();
+        let document = Document::new(item.uri.clone(), &item.language_id, item.version, &item.text);
+        let role = document.role;
+        if state.documents.insert(item.uri.clone(), document).is_some() {
+            tracing::warn!("a document was opened that was open already: its text is the new one");
+        }
+        let Some((key, source)) = state.documents.get(&item.uri).and_then(|document| state.unit_of(document)) else { return };
+        let unit = state.unit(&key, if role == Role::Config { Role::Config } else { Role::Program });
+        if source == Source::Program {
+            unit.uri = Some(item.uri);
+        }
+        self.touched(state, &key, role);
+    }
+
+    async fn did_change(&self, params: DidChangeTextDocumentParams) {
+        let mut state = self.shared.state();
+        let encoding = state.client.encoding;
+        let uri = params.text_document.uri;
+        let Some(document) = state.documents.get_mut(&uri) else {
+            return tracing::warn!("refused: a change of a document that is not open");
+        };
+        if params.text_document.version <= document.version {
+            tracing::warn!("a change leads from version {} to {}", document.version, params.text_document.version);
+        }
+        document.version = params.text_document.version;
+        let mut changes = Vec::with_capacity(params.content_changes.len());
+        for change in &params.content_changes {
+            if change.range.is_some_and(|range| range.start > range.end || !document.holds(range.start) || !document.holds(range.end)) {
+                tracing::warn!("a change lies outside of the document; it is taken as the nearest inside");
+            }
+            changes.push(document.apply(change, encoding));
+        }
+        let role = document.role;
+        let Some((key, source)) = state.documents.get(&uri).and_then(|document| state.unit_of(document)) else { return };
+        changes.iter().for_each(|change| state.carry(&key, source, change));
+        self.touched(state, &key, role);
+    }
+
+    async fn did_save(&self, params: DidSaveTextDocumentParams) {
+        let Some(path) = document::file_path(&params.text_document.uri) else { return };
+        let state = self.shared.state();
+        // A client that watches files tells the same again, and more.
+        if !state.client.watches {
+            self.files_changed(state, &[path]);
+        }
+    }
+
+    async fn did_close(&self, params: DidCloseTextDocumentParams) {
+        let mut state = self.shared.state();
+        let uri = params.text_document.uri;
+        let Some(document) = state.documents.get(&uri) else {
+            return tracing::warn!("refused: the closing of a document that is not open");
+        };
+        let unit = state.unit_of(document);
+        let role = document.role;
+        state.documents.remove(&uri);
+        let pushes = !state.client.pulls;
+        if role == Role::Program && pushes {
+            self.shared.clear(&uri);
+        }
+        let Some((key, source)) = unit else { return };
+        if let Some(unit) = state.units.get_mut(&key).filter(|_| source == Source::Program) {
+            unit.uri = None;
+        }
+        let program_open = state.units.get(&key).is_some_and(|unit| unit.uri.is_some());
+        if !program_open && state.open_template(&key).is_none() {
+            state.forget(&key);
+            let template = if let Key::Path(path) = &key { Uri::from_file_path(document::template_of(path)) } else { None };
+            for uri in template.iter().chain([&uri]) {
+                self.shared.clear_beside(&mut state, uri);
+            }
+        }
+        self.touched(state, &key, role);
+    }
+
+    async fn did_change_watched_files(&self, params: DidChangeWatchedFilesParams) {
+        let paths: Vec<_> = params.changes.iter().filter_map(|event| document::file_path(&event.uri)).collect();
+        self.files_changed(self.shared.state(), &paths);
+    }
+
+    async fn did_change_configuration(&self, _: DidChangeConfigurationParams) {
+        // There are no settings of the editor: `psdl.toml` is the configuration, for all who look at a program.
+    }
+
+    async fn did_change_workspace_folders(&self, params: DidChangeWorkspaceFoldersParams) {
+        let mut state = self.shared.state();
+        let paths = |folders: &[tower_lsp_server::ls_types::WorkspaceFolder]| -> Vec<_> {
+            folders.iter().filter_map(|folder| document::file_path(&folder.uri)).collect()
+        };
+        let removed = paths(&params.event.removed);
+        state.roots.retain(|root| !removed.contains(root));
+        state.roots.extend(paths(&params.event.added));
+    }
+
+    async fn diagnostic(&self, params: DocumentDiagnosticParams) -> Result<DocumentDiagnosticReportResult> {
+        let uri = params.text_document.uri;
+        let outcome = self.latest(&uri)?;
+        let Some((latest, client)) = outcome else { return Ok(full(None, None)) };
+        let outcome = latest.wait().await.ok_or_else(Error::internal_error)?;
+        let report = outcome.report(&uri);
+        let related = client.related_documents.then(|| related(&outcome, &uri)).flatten();
+        Ok(match report {
+            Some(report) if params.previous_result_id.as_ref() == Some(&report.id) => unchanged(report, related),
+            report => full(report, related),
+        })
+    }
+
+    async fn code_action(&self, params: CodeActionParams) -> Result<Option<CodeActionResponse>> {
+        let Some((latest, client)) = self.latest(&params.text_document.uri)? else { return Ok(None) };
+        let outcome = latest.wait().await.ok_or_else(Error::internal_error)?;
+        let report = Some(&outcome.main).filter(|report| report.text.uri.as_ref() == Some(&params.text_document.uri));
+        Ok(report.map(|report| actions::quick_fixes(report, &params, client)))
+    }
+}
+
+impl Backend {
+    /// `psdl/text`
+    pub(super) async fn text(&self, params: TextParams) -> Result<TextResult> {
+        let state = self.shared.state();
+        let document = state.documents.get(&params.text_document.uri).ok_or_else(not_open)?;
+        Ok(TextResult { version: document.version, text: document.text.to_string() })
+    }
+
+    /// `$/setTrace`
+    pub(super) async fn set_trace(&self, params: SetTraceParams) {
+        self.shared.state().trace = params.value;
+    }
+
+    /// What there is to say about an open document; `None` about one that nobody looks at.
+    fn latest(&self, uri: &Uri) -> Result<Option<(Latest, Client)>> {
+        if !self.shared.state().documents.contains_key(uri) {
+            return Err(not_open());
+        }
+        Ok(self.shared.latest(uri))
+    }
+
+    /// Does what follows from a document having become another.
+    fn touched(&self, mut state: std::sync::MutexGuard<'_, State>, key: &Key, role: Role) {
+        if role == Role::Config {
+            state.configure();
+        }
+        state.schedule(key, true);
+        let refresh = role != Role::Program && state.client.pulls && state.client.refreshes;
+        drop(state);
+        self.shared.wake();
+        if refresh {
+            self.refresh.ask(&self.client);
+        }
+    }
+
+    /// Does what follows from files having become others.
+    fn files_changed(&self, mut state: std::sync::MutexGuard<'_, State>, paths: &[std::path::PathBuf]) {
+        let roles: Vec<Role> = paths.iter().map(|path| document::role(Some(path), "")).collect();
+        if roles.contains(&Role::Config) {
+            state.configure();
+        } else {
+            let keys: Vec<Key> = state.units.keys().cloned().collect();
+            let reads = |key: &Key| match key {
+                Key::Path(program) => paths.iter().any(|path| **path == **program || *path == document::template_of(program)),
+                Key::Name(_) => false,
+            };
+            keys.iter().filter(|key| reads(key)).for_each(|key| state.schedule(key, false));
+        }
+        let refresh =
+            state.client.pulls && state.client.refreshes && roles.iter().any(|role| matches!(role, Role::Config | Role::Template));
+        drop(state);
+        self.shared.wake();
+        if refresh {
+            self.refresh.ask(&self.client);
+        }
+    }
+}
+
+impl Outcome {
+    /// All that is said, by document.
+    fn reports(&self) -> impl Iterator<Item = &Report> {
+        [&self.main].into_iter().chain(&self.template).chain(&self.config)
+    }
+
+    /// What is said about one document.
+    fn report(&self, uri: &Uri) -> Option<&Report> {
+        self.reports().find(|report| report.text.uri.as_ref() == Some(uri))
+    }
+}
+
+/// What is said about other documents than the one that was asked for.
+fn related(outcome: &Outcome, asked: &Uri) -> Option<HashMap<Uri, DocumentDiagnosticReportKind>> {
+    let others = outcome.reports().skip(1).filter_map(|report| Some((report.text.uri.clone()?, report)));
+    let related: HashMap<_, _> = others.filter(|(uri, _)| uri != asked).map(|(uri, report)| (uri, kind(report))).collect();
+    (!related.is_empty()).then_some(related)
+}
+
+fn items(report: Option<&Report>) -> FullDocumentDiagnosticReport {
+    FullDocumentDiagnosticReport {
+        result_id: report.map(|report| report.id.clone()),
+        items: report.map(Report::diagnostics).unwrap_or_default(),
+    }
+}
+
+fn kind(report: &Report) -> DocumentDiagnosticReportKind {
+    DocumentDiagnosticReportKind::Full(items(Some(report)))
+}
+
+fn full(report: Option<&Report>, related_documents: Option<HashMap<Uri, DocumentDiagnosticReportKind>>) -> DocumentDiagnosticReportResult {
+    let full_document_diagnostic_report = items(report);
+    let report = RelatedFullDocumentDiagnosticReport { related_documents, full_document_diagnostic_report };
+    DocumentDiagnosticReportResult::Report(DocumentDiagnosticReport::Full(report))
+}
+
+fn unchanged(report: &Report, related_documents: Option<HashMap<Uri, DocumentDiagnosticReportKind>>) -> DocumentDiagnosticReportResult {
+    let unchanged_document_diagnostic_report = UnchangedDocumentDiagnosticReport { result_id: report.id.clone() };
+    let report = RelatedUnchangedDocumentDiagnosticReport { related_documents, unchanged_document_diagnostic_report };
+    DocumentDiagnosticReportResult::Report(DocumentDiagnosticReport::Unchanged(report))
+}

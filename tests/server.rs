@@ -1,0 +1,18 @@
+//! `psdl lsp`, spoken to as an editor does, through the real program.
+
+#[path = "server/client.rs"]
+mod client;
+#[path = "server/config.rs"]
+mod config;
+#[path = "server/edits.rs"]
+mod edits;
+#[path = "server/flows.rs"]
+mod flows;
+#[path = "server/hostile.rs"]
+mod hostile;
+#[path = "server/pull.rs"]
+mod pull;
+#[path = "server/soak.rs"]
+mod soak;
+#[path = "server/stale.rs"]
+mod stale;
