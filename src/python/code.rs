@@ -63,7 +63,7 @@ pub enum Op {
     DeleteAttr(u32),
     /// o → function o | value Undefined
     LoadMethod(u32),
-    /// o i → o[i]
+    /// o i → `o[i]`
     LoadSubscr,
     /// value o i →
     StoreSubscr,
@@ -120,7 +120,7 @@ pub enum Op {
     /// top (0 is the dict)
     DictMerge(u16),
     ListToTuple,
-    /// value [spec] → text; `conversion` is 0 or `s` `r` `a`
+    /// value, spec if there is one → text; `conversion` is 0 or `s` `r` `a`
     Format {
         conversion: u8,
         spec: bool,
@@ -145,7 +145,7 @@ pub enum Op {
         count: u16,
         names: u32,
     },
-    /// callee args [kwargs] → result; `true`: with kwargs, a fresh dict. `args` is a tuple or, for a lone `*x`, whatever `x` is: the
+    /// callee, args, kwargs if there are any → result; `true`: with kwargs, a fresh dict. `args` is a tuple or, for a lone `*x`, whatever `x` is: the
     /// machine iterates over it (TypeError: `f() argument after * must be an iterable, not int`)
     CallEx(bool),
     /// function self-or-Undefined a b … → result; the operand counts `a b …`

@@ -5,7 +5,7 @@
 //! where. It is also the only room that calls the parser: others read the tree through [`ast`].
 //!
 //! Invariants, for every sequence of bytes that is valid UTF-8:
-//! - [`parse`] returns soon, without panic, and never nests deeper than [`MAX_DEPTH`]: what comes
+//! - [`parse()`] returns soon, without panic, and never nests deeper than [`MAX_DEPTH`]: what comes
 //!   out may be walked (and dropped) by plain recursion, given about 2 MiB of stack.
 //! - Every range lies within the text that was given and on character boundaries, whatever line
 //!   ends, byte order mark or Markdown fences the text has.
