@@ -26,6 +26,19 @@ pub enum ErrorKind {
 }
 
 impl ErrorKind {
+    /// All kinds.
+    pub const ALL: [ErrorKind; 9] = [
+        ErrorKind::OutOfBounds,
+        ErrorKind::Overlap,
+        ErrorKind::Standing,
+        ErrorKind::Mounted,
+        ErrorKind::Facing,
+        ErrorKind::Clearance,
+        ErrorKind::FacingWall,
+        ErrorKind::ShortSide,
+        ErrorKind::Unplaced,
+    ];
+
     /// The kind of finding that tells it.
     pub const fn code(self) -> Code {
         match self {

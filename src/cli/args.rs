@@ -33,6 +33,8 @@ pub struct Args {
 pub enum Command {
     /// Find what is wrong with the layout of scene programs.
     Check(CheckArgs),
+    /// Correct layout errors by rewriting a few constants and directions.
+    Fix(super::fix::FixArgs),
     /// Run a program and print what it prints.
     Run(RunArgs),
     /// Write the layout of a program in another format.
@@ -246,7 +248,7 @@ impl ValueEnum for Format {
 }
 
 /// Reads a kind; completions list all of them, errors name the nearest.
-fn code_parser() -> impl TypedValueParser<Value = Code> {
+pub(super) fn code_parser() -> impl TypedValueParser<Value = Code> {
     let names = crate::check::codes::all().map(|info| PossibleValue::new(info.name).help(info.summary));
     PossibleValuesParser::new(names).try_map(|name| name.parse::<Code>())
 }

@@ -16,6 +16,7 @@ mod configuration;
 mod explain;
 mod export;
 mod files;
+mod fix;
 mod generate;
 mod lsp;
 mod output;
@@ -62,6 +63,7 @@ fn dispatch(args: Args) -> Result<Outcome, Failure> {
     }
     match args.command {
         Some(Command::Check(args)) => check::check(&args, color, errors),
+        Some(Command::Fix(args)) => with_stack(|| fix::fix(&args, color)),
         Some(Command::Run(args)) => with_stack(|| run::run(&args, errors)),
         Some(Command::Export(args)) => with_stack(|| export::export(&args, errors)),
         Some(Command::Explain(args)) => explain::explain(&args),

@@ -5,14 +5,20 @@
 //! does anything to a traced number that is not in [`Op`] pins its value first. Knows nothing of Python or of scenes.
 
 mod arith;
+mod divide;
 mod norm;
 mod op;
+mod replay;
+mod slices;
 
 use std::sync::Arc;
 
 pub use arith::{Arith, Decision, Plain};
+pub use divide::{float_divmod, float_floor_div, float_mod};
 pub use norm::norm;
 pub use op::Op;
+pub use replay::{Replay, Table, apply};
+pub use slices::{LiteralSlice, Slices};
 
 /// The place of a number in the record of a run; [`Handle::NONE`] for a number that no tunable literal reaches.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash, PartialOrd, Ord)]

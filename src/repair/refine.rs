@@ -1,0 +1,124 @@
+//! The tidy end of a search: no edit that is not needed, none that goes further than it must, and numbers that a person would write.
+
+use crate::check::Violation;
+
+use super::changes::{Change, Changes};
+use super::guided::Search;
+use super::measure::Score;
+use super::state::State;
+
+/// Steps of bisection from a constant toward its original.
+const BISECTIONS: usize = 10;
+
+/// A shorter number may be this far from the exact one, or this part of it.
+const ROUNDING: f64 = 0.02;
+
+/// Tidies a state up.
+pub(super) fn refine(search: &mut Search<'_>, state: State) -> State {
+    let mut best = drop_unneeded(search, state);
+    for _ in 0..3 {
+        let before = best.changes.clone();
+        best = exchange(search, best);
+        best = drop_unneeded(search, best);
+        if best.changes == before {
+            break;
+        }
+    }
+    best = pull_back(search, best);
+    round(search, best)
+}
+
+/// Leaves out edits one by one while nothing gets worse.
+fn drop_unneeded(search: &mut Search<'_>, mut best: State) -> State {
+    loop {
+        let changes: Vec<Change> = best.changes.iter().collect();
+        let shorter = changes.into_iter().find_map(|change| {
+            let without = best.changes.without(change);
+            let score = search.run(&without)?;
+            if score.is_as_clean_as(&best.score) { State::run(search.problem, without) } else { None }
+        });
+        match shorter {
+            Some(state) => best = state,
+            None => return best,
+        }
+    }
+}
+
+/// Tries for each edit whether another one does as well with less movement, or better.
+fn exchange(search: &mut Search<'_>, mut best: State) -> State {
+    let changes: Vec<Change> = best.changes.iter().collect();
+    for change in changes {
+        if !search.goes_on() {
+            break;
+        }
+        let Some(mut without) = State::run(search.problem, best.changes.without(change)) else { continue };
+        let errors: Vec<Violation> = search.targets(&without);
+        let found = search.expand(&mut without, &errors, false);
+        let better = |score: &Score| score.is_as_clean_as(&best.score) && search.cost(score) < search.cost(&best.score) - 1e-9;
+        let exchanged = found.into_iter().filter(|found| better(&found.score)).take(2);
+        let mut states = exchanged.filter_map(|found| without.after(search.problem, found.change));
+        if let Some(state) = states.find(|state| state.score.is_as_clean_as(&best.score)) {
+            best = state;
+        }
+    }
+    best
+}
+
+/// Brings every constant as close to its original as the errors stay away.
+fn pull_back(search: &mut Search<'_>, mut best: State) -> State {
+    let constants: Vec<_> = best.changes.constants().collect();
+    for (id, value) in constants {
+        let Some(original) = search.problem.tuning().constant(id).map(|constant| constant.value) else { continue };
+        let (mut near, mut far) = (0.0, 1.0);
+        let mut pulled = None;
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (near + far);
+            let between = original + middle * (value - original);
+            match search.try_change(&mut best, Change::Constant(id, between)) {
+                Some(score) if score.is_as_clean_as(&best.score) && score.work <= best.score.work => {
+                    far = middle;
+                    pulled = Some(between);
+                }
+                _ => near = middle,
+            }
+        }
+        if let Some(state) = pulled.and_then(|value| best.after(search.problem, Change::Constant(id, value))) {
+            best = state;
+        }
+    }
+    best
+}
+
+/// Gives every constant the fewest decimals that keep the errors away.
+fn round(search: &mut Search<'_>, mut best: State) -> State {
+    let constants: Vec<_> = best.changes.constants().collect();
+    for (id, value) in constants {
+        let original = search.problem.tuning().constant(id).map_or(value, |constant| constant.value);
+        let short = candidates(value, original).into_iter().find(|short| {
+            let score = search.try_change(&mut best, Change::Constant(id, *short));
+            score.is_some_and(|score| score.is_as_clean_as(&best.score))
+        });
+        if let Some(state) = short.and_then(|short| best.after(search.problem, Change::Constant(id, short))) {
+            best = state;
+        }
+    }
+    best
+}
+
+/// Numbers near a value, fewest decimals first, of equally many that nearest to the original first.
+fn candidates(value: f64, original: f64) -> Vec<f64> {
+    let mut found = Vec::new();
+    for decimals in 0..=6 {
+        let unit = 10_f64.powi(decimals);
+        let mut both = [(value * unit).floor() / unit, (value * unit).ceil() / unit];
+        both.sort_by(|a, b| (a - original).abs().total_cmp(&(b - original).abs()));
+        found.extend(both.into_iter().filter(|short| (short - value).abs() <= ROUNDING.max(ROUNDING * value.abs()) && *short != value));
+    }
+    found.retain(|short| *short != original);
+    found.into_iter().map(|short| if short == 0.0 { 0.0 } else { short }).collect()
+}
+
+/// The changes of a state and its score, for methods that end without a state.
+pub(super) fn tidy(search: &mut Search<'_>, changes: Changes) -> Option<Changes> {
+    Some(round(search, State::run(search.problem, changes)?).changes)
+}
