@@ -99,7 +99,7 @@ fn lines(text: &str) -> Result<(u32, u32), String> {
 }
 
 pub(super) fn fix(args: &FixArgs, color: bool) -> Result<Outcome, Failure> {
-    let programs = files::programs(&args.paths, None)?;
+    let programs = files::programs(&args.paths, None, &|_| Ok(false))?;
     if args.stdout && programs.len() != 1 {
         return Err(Failure::new("--stdout takes one program"));
     }
