@@ -325,7 +325,7 @@ mod tests {
     fn a_diff_shows_changed_lines_between_two_of_context() {
         let text = "a\nb\nc\nx = 0.5\r\nd\ne\nf\ng\nh\ny = 1.5";
         let edits = [edit(text, "0.5", "0.25"), edit(text, "1.5", "2.0")];
-        let expected = "@@ -2,9 +2,9 @@| b| c|-x = 0.5|+x = 0.25| d| e| f| g| h|-y = 1.5|+y = 2.0";
+        let _expected = "@@ -2,9 +2,9 @@| b| c|-x = 0.5|+x = 0.25| d| e| f| g| h|-y = 1.5|+y = 2.0";
         let expected = "@@ -2,5 +2,5 @@| b| c|-x = 0.5|+x = 0.25| d| e|@@ -8,3 +8,3 @@| g| h|-y = 1.5|+y = 2.0";
         assert_eq!(diff(text, &edits).join("|"), expected);
     }

@@ -31,7 +31,7 @@ fn category(from: &Layout, to: &Layout, here: &[usize], there: &[usize]) -> f64 
     };
     let in_order = || here.iter().zip(there).map(|(i, j)| cost(*i, *j)).sum();
     let size = here.len().max(there.len());
-    if size > MAX_ASSIGNED || size < 2 {
+    if !(2..=MAX_ASSIGNED).contains(&size) {
         return in_order();
     }
     let at = |row: usize, column: usize| match (here.get(row), there.get(column)) {
