@@ -165,7 +165,7 @@ impl<'a> Search<'a> {
     /// Follows several states at once, better or not, until one of them is an improvement.
     fn look_ahead(&mut self, start: &State) -> Option<State> {
         let errors = self.targets(start);
-        if errors.is_empty() {
+        if errors.is_empty() || start.changes.len() >= self.settings.max_edits {
             return None;
         }
         let mut frontier = vec![start.clone()];
