@@ -3,7 +3,7 @@
 //! A [`Problem`] is a program that can be run again with other values; [`fix`] looks for [`Changes`] and answers with a [`Fix`].
 //!
 //! Invariants:
-//! - Only literals and directions that [`tune`](crate::syntax::tune) offers are rewritten, and no constant that reaches a size.
+//! - Only literals and directions that [`tune`](mod@crate::syntax::tune) offers are rewritten, and no constant that reaches a size.
 //! - A fix never leaves more errors than it found, adds an exception or changes which objects there are; the text that it gives was
 //!   run before it is offered.
 //! - Budgets count evaluations, never time: the same input gives the same output everywhere.
