@@ -5,7 +5,7 @@
 //! what came of it into the words of the protocol (`diagnostics`) and on the way out (`output`).
 //!
 //! Invariants:
-//! - There is one owner of what is known, [`state`]; its lock is held neither while a program runs nor across a wait.
+//! - There is one owner of what is known, `state`; its lock is held neither while a program runs nor across a wait.
 //! - Handlers write documents before their first wait, and messages are handled in order up to that.
 //! - A newer edit cancels the older run. A program is with one worker at a time and there are at least two, so that a
 //!   program that uses up its budget delays no other file.
