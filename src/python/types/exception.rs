@@ -281,8 +281,6 @@ fn new_group(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     let class = match class {
         c if c == Builtin::BaseExceptionGroup.class() && all_plain => Builtin::ExceptionGroup.class(),
         c if vm.is_subclass(c, Builtin::Exception.class()) && !all_plain => {
-            let kind = if c == Builtin::ExceptionGroup.class() { String::new() } else { format!("{name} ") };
-            let _ = kind;
             return Err(vm.type_error(format!("Cannot nest BaseExceptions in an {name}")));
         }
         c => c,

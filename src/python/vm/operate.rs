@@ -138,8 +138,7 @@ impl Vm<'_> {
         match self.try_binary(op, a, b)? {
             Some(value) => Ok(value),
             None => {
-                let text = if op == BinaryOp::Pow { "** or pow()".to_string() } else { op.text().to_string() };
-                let text = if op == BinaryOp::Pow { "**=".to_string() } else { format!("{text}=") };
+                let text = if op == BinaryOp::Pow { "**=".to_string() } else { format!("{}=", op.text()) };
                 Err(self.unsupported(&text, a, b))
             }
         }
