@@ -36,6 +36,13 @@ pub fn findings(layout: &Layout, verdict: &Verdict, rules: &Rules) -> Vec<Findin
     told
 }
 
+/// The errors that the findings of [`findings`] stand for: of each its kind and place, and its errors with the worst first.
+pub fn errors_by_place(layout: &Layout, verdict: &Verdict, rules: &Rules) -> Vec<(ErrorKind, Place, Vec<Violation>)> {
+    let case = Case { objects: &layout.objects, bounds: Bounds::of(&layout.scene), rules };
+    let errors = |group: Group| (group.kind, group.place, group.members.into_iter().map(|(violation, _)| violation).collect());
+    groups(layout, &case, verdict).into_iter().map(errors).collect()
+}
+
 fn place(layout: &Layout, origin: OriginId) -> Place {
     let origin = layout.origins.get(origin);
     Place { source: origin.source, range: origin.range }

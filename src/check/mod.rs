@@ -23,7 +23,7 @@ mod violation;
 mod words;
 
 pub use checker::{Checker, check};
-pub use findings::findings;
+pub use findings::{errors_by_place, findings};
 pub use rules::Rules;
 pub use violation::{ErrorKind, Verdict, Violation};
 

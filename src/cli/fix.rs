@@ -161,7 +161,7 @@ fn correct(args: &FixArgs, loaded: &Loaded) -> Result<Option<Done>, Failure> {
     let method = if args.method == MethodName::Paper { Method::Paper } else { Method::Guided };
     let within = args.lines.map(|lines| range_of(text, lines));
     let (seed, max_edits, budget) = (args.seed, args.max_edits, args.budget);
-    let fix = repair::fix(&problem, &Settings { method, seed, max_edits, budget, only: kinds(&args.only), within });
+    let fix = repair::fix(&problem, &Settings { method, seed, max_edits, budget, only: kinds(&args.only), within, watch: None });
     let effects = repair::effects(&problem, &fix);
     let seconds = start.elapsed().as_secs_f64();
     Ok(Some(Done { before: text.to_string(), fix, effects, exceptions: problem.exceptions(), seconds }))

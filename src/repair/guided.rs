@@ -1,5 +1,7 @@
 //! The default search: exact proposals, steepest descent, a beam where single edits stall, and a tidy end.
 
+use std::sync::atomic::Ordering;
+
 use rustc_hash::FxHashSet;
 
 use crate::check::Violation;
@@ -75,7 +77,11 @@ impl<'a> Search<'a> {
 
     /// Whether anything may still be tried.
     pub(super) fn goes_on(&self) -> bool {
-        self.spent < self.settings.budget
+        let cancelled = self.settings.watch.as_ref().is_some_and(|watch| {
+            watch.spent.store(self.spent, Ordering::Relaxed);
+            watch.cancelled.load(Ordering::Relaxed)
+        });
+        !cancelled && self.spent < self.settings.budget
     }
 
     /// What the search minimises step by step.

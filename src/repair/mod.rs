@@ -28,6 +28,8 @@ pub use transport::transport;
 use crate::check::{ErrorKind, Verdict};
 use crate::syntax::Edit;
 use ruff_text_size::TextRange;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize};
 
 /// How to look for a fix.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -54,11 +56,22 @@ pub struct Settings {
     pub only: Vec<ErrorKind>,
     /// Only what lies inside is rewritten.
     pub within: Option<TextRange>,
+    /// Where the search can be followed and ended.
+    pub watch: Option<Arc<Watch>>,
+}
+
+/// A search under way as others see it.
+#[derive(Debug, Default)]
+pub struct Watch {
+    /// Set by whoever wants no result any more; the search then ends with what it has.
+    pub cancelled: AtomicBool,
+    /// How much of the budget is spent.
+    pub spent: AtomicUsize,
 }
 
 impl Default for Settings {
     fn default() -> Settings {
-        Settings { method: Method::Guided, seed: 0, max_edits: 40, budget: 20_000, only: Vec::new(), within: None }
+        Settings { method: Method::Guided, seed: 0, max_edits: 40, budget: 20_000, only: Vec::new(), within: None, watch: None }
     }
 }
 

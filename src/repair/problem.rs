@@ -10,10 +10,11 @@ use crate::python::vm::{self, Limits};
 use crate::scene::Layout;
 use crate::scene::host::{self, SceneHost, bound_in_loops};
 use crate::syntax::Edit;
-use crate::syntax::{ConstantId, Tuning};
+use crate::syntax::{ConstantId, Parsed, Tuning};
 use crate::trace::{Slices, Trace};
 
 use super::changes::Changes;
+use std::sync::atomic::AtomicBool;
 
 /// A record of more operations than this is of no use for a search.
 const MAX_TRACE: usize = 400_000;
@@ -56,12 +57,17 @@ pub struct Problem {
 impl Problem {
     /// Reads and runs a program.
     pub fn new(input: &Input, options: &Options) -> Result<Problem, Unfit> {
+        Problem::unless_cancelled(input, options, None)
+    }
+
+    /// The same with a flag that stops the run.
+    pub fn unless_cancelled(input: &Input, options: &Options, cancel: Option<&AtomicBool>) -> Result<Problem, Unfit> {
         let mut prepared = prepare(input);
         if prepared.program.is_none() {
             return Err(Unfit::Broken(std::mem::take(&mut prepared.findings)));
         }
         let in_loops = bound_in_loops(&prepared.parsed);
-        let first = execute(&prepared, &in_loops, &options.limits, &Changes::default(), true);
+        let first = execute(&prepared, &in_loops, &options.limits, &Changes::default(), true, cancel);
         let original = match first {
             None => return Err(Unfit::Broken(std::mem::take(&mut prepared.findings))),
             Some(Err(stop)) => return Err(Unfit::Stopped(stop)),
@@ -79,6 +85,11 @@ impl Problem {
     /// The program.
     pub fn text(&self) -> &str {
         &self.text
+    }
+
+    /// The program, read.
+    pub fn parsed(&self) -> &Parsed {
+        &self.prepared.parsed
     }
 
     /// What of it may be rewritten.
@@ -115,7 +126,7 @@ impl Problem {
     /// A run with some changes. `None` where it is no correction of the same scene: it was stopped, raised more than the program as it
     /// is, or has other objects.
     pub fn run(&self, changes: &Changes, record: bool) -> Option<Ran> {
-        let ran = execute(&self.prepared, &self.in_loops, &self.limits, changes, record)?.ok()?;
+        let ran = execute(&self.prepared, &self.in_loops, &self.limits, changes, record, None)?.ok()?;
         self.is_same_scene(&ran).then_some(ran)
     }
 
@@ -146,7 +157,7 @@ impl Problem {
     /// Layout and errors of a rewritten text, read and run afresh; `None` where it is no correction of the same scene.
     pub fn judge_text(&self, text: &str) -> Option<(Layout, Verdict)> {
         let prepared = prepare(&Input { text, template: self.template.as_deref() });
-        let ran = execute(&prepared, &self.in_loops, &self.options.limits, &Changes::default(), false)?.ok()?;
+        let ran = execute(&prepared, &self.in_loops, &self.options.limits, &Changes::default(), false, None)?.ok()?;
         let verdict = self.is_same_scene(&ran).then(|| check(&ran.layout, &self.options.rules))?;
         Some((ran.layout, verdict))
     }
@@ -165,6 +176,7 @@ fn execute(
     limits: &Limits,
     changes: &Changes,
     record: bool,
+    cancel: Option<&AtomicBool>,
 ) -> Option<Result<Ran, Stop>> {
     let program = prepared.program.clone()?;
     let host = match &prepared.template {
@@ -173,6 +185,7 @@ fn execute(
     };
     let options = vm::Options {
         limits: *limits,
+        cancel,
         lenient: true,
         trace: if record { Trace::recording(MAX_TRACE) } else { Trace::default() },
         constants: changes.constants().collect(),
