@@ -28,6 +28,16 @@ pub(super) struct Client {
     pub document_changes: bool,
     /// It watches files when it is asked to.
     pub watches: bool,
+    /// It is asked for the user's settings.
+    pub has_settings: bool,
+    /// It tells when they change if it is asked to.
+    pub watches_settings: bool,
+    /// It can be told to ask for inlay hints again.
+    pub refreshes_hints: bool,
+    /// The same for code lenses.
+    pub refreshes_lenses: bool,
+    /// The same for semantic tokens.
+    pub refreshes_tokens: bool,
 }
 
 impl Default for Client {
@@ -42,6 +52,11 @@ impl Default for Client {
             code_description: false,
             document_changes: false,
             watches: false,
+            has_settings: false,
+            watches_settings: false,
+            refreshes_hints: false,
+            refreshes_lenses: false,
+            refreshes_tokens: false,
         }
     }
 }
@@ -64,6 +79,13 @@ impl Client {
             code_description: publish.and_then(|publish| publish.code_description_support).unwrap_or(false),
             document_changes: workspace.and_then(|workspace| workspace.workspace_edit.as_ref()?.document_changes).unwrap_or(false),
             watches: workspace.and_then(|workspace| workspace.did_change_watched_files.as_ref()?.dynamic_registration).unwrap_or(false),
+            has_settings: workspace.and_then(|workspace| workspace.configuration).unwrap_or(false),
+            watches_settings: workspace
+                .and_then(|workspace| workspace.did_change_configuration.as_ref()?.dynamic_registration)
+                .unwrap_or(false),
+            refreshes_hints: workspace.and_then(|workspace| workspace.inlay_hint.as_ref()?.refresh_support).unwrap_or(false),
+            refreshes_lenses: workspace.and_then(|workspace| workspace.code_lens.as_ref()?.refresh_support).unwrap_or(false),
+            refreshes_tokens: workspace.and_then(|workspace| workspace.semantic_tokens.as_ref()?.refresh_support).unwrap_or(false),
         }
     }
 

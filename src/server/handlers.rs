@@ -4,8 +4,10 @@ use super::client::Client;
 use super::diagnostics::Report;
 use super::document::{self, Document, Role};
 use super::run::Outcome;
+use super::settings::{self, Settings};
 use super::shared::{Latest, Shared};
 use super::state::{Key, State};
+use super::watch::Ask;
 use super::{actions, watch};
 use crate::check::finding::Source;
 use serde::{Deserialize, Serialize};
@@ -23,7 +25,7 @@ use tower_lsp_server::ls_types::{
 };
 
 /// The handlers.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Backend {
     pub shared: Arc<Shared>,
     pub client: tower_lsp_server::Client,
@@ -56,6 +58,7 @@ impl LanguageServer for Backend {
         let mut state = self.shared.state();
         state.client = client;
         state.trace = params.trace.unwrap_or_default();
+        state.settings = params.initialization_options.as_ref().map(Settings::read).unwrap_or_default();
         let folders = params.workspace_folders.iter().flatten().map(|folder| &folder.uri);
         state.roots = folders.filter_map(document::file_path).collect();
         tracing::info!("initialize: columns in {:?}, diagnostics {}", client.encoding, if client.pulls { "pulled" } else { "pushed" });
@@ -64,8 +67,15 @@ impl LanguageServer for Backend {
     }
 
     async fn initialized(&self, _: InitializedParams) {
-        if self.shared.state().client.watches {
-            watch::register(self.client.clone());
+        let client = self.shared.state().client;
+        let files = client.watches.then(watch::registration);
+        let settings = client.watches_settings.then(settings::registration);
+        let registrations: Vec<_> = files.into_iter().chain(settings).collect();
+        if !registrations.is_empty() {
+            watch::register(self.client.clone(), registrations);
+        }
+        if client.has_settings {
+            self.take_settings(&serde_json::Value::Null);
         }
     }
 
@@ -156,8 +166,8 @@ impl LanguageServer for Backend {
         self.files_changed(self.shared.state(), &paths);
     }
 
-    async fn did_change_configuration(&self, _: DidChangeConfigurationParams) {
-        // There are no settings of the editor: `psdl.toml` is the configuration, for all who look at a program.
+    async fn did_change_configuration(&self, params: DidChangeConfigurationParams) {
+        self.take_settings(&params.settings);
     }
 
     async fn did_change_workspace_folders(&self, params: DidChangeWorkspaceFoldersParams) {
@@ -218,12 +228,23 @@ impl Backend {
             state.configure();
         }
         state.schedule(key, true);
-        let refresh = role != Role::Program && state.client.pulls && state.client.refreshes;
+        let client = state.client;
         drop(state);
         self.shared.wake();
-        if refresh {
-            self.refresh.ask(&self.client);
+        if role != Role::Program {
+            self.ask_again(client);
         }
+    }
+
+    /// Tells the client to ask again for all that does not follow from the text of a program alone.
+    fn ask_again(&self, client: Client) {
+        let kinds = [
+            (client.pulls && client.refreshes, Ask::Diagnostics),
+            (client.refreshes_hints, Ask::Hints),
+            (client.refreshes_lenses, Ask::Lenses),
+            (client.refreshes_tokens, Ask::Tokens),
+        ];
+        kinds.into_iter().filter(|(can, _)| *can).for_each(|(_, what)| self.refresh.ask(&self.client, what));
     }
 
     /// Does what follows from files having become others.
@@ -239,12 +260,11 @@ impl Backend {
             };
             keys.iter().filter(|key| reads(key)).for_each(|key| state.schedule(key, false));
         }
-        let refresh =
-            state.client.pulls && state.client.refreshes && roles.iter().any(|role| matches!(role, Role::Config | Role::Template));
+        let client = state.client;
         drop(state);
         self.shared.wake();
-        if refresh {
-            self.refresh.ask(&self.client);
+        if roles.iter().any(|role| matches!(role, Role::Config | Role::Template)) {
+            self.ask_again(client);
         }
     }
 }

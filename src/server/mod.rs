@@ -26,6 +26,7 @@ mod moved;
 mod output;
 mod params;
 mod run;
+mod settings;
 mod shared;
 mod state;
 mod transport;

@@ -3,8 +3,8 @@
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use tower_lsp_server::ls_types::{
-    CancelParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams, DidCloseTextDocumentParams,
-    DidOpenTextDocumentParams, DidSaveTextDocumentParams, SetTraceParams,
+    CancelParams, DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams,
+    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams, SetTraceParams,
 };
 
 /// Whether a notification takes these parameters; of methods that are not known here it is not decided here.
@@ -14,6 +14,7 @@ pub(super) fn fit(method: &str, params: Option<&Value>) -> bool {
         "textDocument/didChange" => reads::<DidChangeTextDocumentParams>(params),
         "textDocument/didClose" => reads::<DidCloseTextDocumentParams>(params),
         "textDocument/didSave" => reads::<DidSaveTextDocumentParams>(params),
+        "workspace/didChangeConfiguration" => reads::<DidChangeConfigurationParams>(params),
         "workspace/didChangeWatchedFiles" => reads::<DidChangeWatchedFilesParams>(params),
         "workspace/didChangeWorkspaceFolders" => reads::<DidChangeWorkspaceFoldersParams>(params),
         "$/cancelRequest" => reads::<CancelParams>(params),

@@ -6,6 +6,7 @@ use super::client::Client;
 use super::document::{Document, Role, program_of, template_of};
 use super::moved::TextChange;
 use super::run::{Job, Kept, Open, Outcome};
+use super::settings::Settings;
 use crate::check::finding::Source;
 use crate::config::Resolver;
 use ropey::Rope;
@@ -49,6 +50,7 @@ pub(super) struct Unit {
 pub(super) struct State {
     pub client: Client,
     pub trace: TraceValue,
+    pub settings: Settings,
     pub roots: Vec<PathBuf>,
     pub documents: FxHashMap<Uri, Document>,
     pub units: FxHashMap<Key, Unit>,
@@ -77,6 +79,7 @@ impl Default for State {
         State {
             client: Client::default(),
             trace: TraceValue::Off,
+            settings: Settings::default(),
             roots: Vec::new(),
             documents: FxHashMap::default(),
             units: FxHashMap::default(),
