@@ -1,0 +1,4 @@
+vim.filetype.add({
+  extension = { psdl = 'psdl' },
+  pattern = { ['.*%.template%.json'] = 'json' },
+})

@@ -1,0 +1,5 @@
+" Bodies are indented as in Python.
+if exists('b:did_indent')
+  finish
+endif
+runtime! indent/python.vim

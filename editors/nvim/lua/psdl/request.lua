@@ -1,0 +1,51 @@
+--- Requests that only psdl knows, and what is said when they cannot be made.
+local M = {}
+
+--- The version of these requests that this plugin speaks.
+M.protocol = 1
+
+---@param message string
+---@param level? integer
+function M.say(message, level)
+  vim.notify('psdl: ' .. message, level or vim.log.levels.INFO)
+end
+
+--- The client of a buffer, if its server speaks our version; says why not, else.
+---@param bufnr integer
+---@return vim.lsp.Client?
+function M.client(bufnr)
+  local client = vim.lsp.get_clients({ name = 'psdl', bufnr = bufnr })[1]
+  if not client then
+    return M.say('no server runs for this buffer; see :checkhealth psdl', vim.log.levels.ERROR)
+  end
+  local version = vim.tbl_get(client.server_capabilities, 'experimental', 'psdl', 'version')
+  if version ~= M.protocol then
+    local found = vim.tbl_get(client.server_info or {}, 'version') or 'of an unknown version'
+    local hint = (version or 0) > M.protocol and 'update this plugin' or 'update psdl'
+    return M.say(('the server (psdl %s) does not know this; %s'):format(found, hint), vim.log.levels.ERROR)
+  end
+  return client
+end
+
+--- Asks, and hands on what was answered; an error is shown, and nothing is handed on.
+---@param bufnr integer
+---@param method string
+---@param params table What goes beside `textDocument`.
+---@param done fun(result: table, client: vim.lsp.Client)
+function M.ask(bufnr, method, params, done)
+  local client = M.client(bufnr)
+  if not client then
+    return
+  end
+  params = vim.tbl_extend('error', { textDocument = vim.lsp.util.make_text_document_params(bufnr) }, params)
+  ---@diagnostic disable-next-line: param-type-mismatch (methods of our own)
+  client:request(method, params, function(err, result)
+    if err then
+      M.say(err.message, vim.log.levels.ERROR)
+    elseif result then
+      done(result, client)
+    end
+  end, bufnr)
+end
+
+return M

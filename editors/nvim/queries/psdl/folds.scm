@@ -1,0 +1,17 @@
+[
+  (function_definition)
+  (class_definition)
+  (for_statement)
+  (while_statement)
+  (if_statement)
+  (elif_clause)
+  (else_clause)
+  (with_statement)
+  (try_statement)
+  (match_statement)
+  (parenthesized_expression)
+  (list)
+  (dictionary)
+  (list_comprehension)
+  (string)
+] @fold
