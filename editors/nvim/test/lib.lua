@@ -72,9 +72,13 @@ function M.codes(bufnr)
 end
 
 function M.wait_codes(bufnr, expected)
-  M.eventually('findings ' .. vim.inspect(expected), function()
-    return vim.deep_equal(expected, M.codes(bufnr)) and true or nil
-  end)
+  local held = vim.wait(10000, function()
+    return vim.deep_equal(expected, M.codes(bufnr))
+  end, 10)
+  if not held then
+    local name = vim.fs.basename(vim.api.nvim_buf_get_name(bufnr))
+    error(('never: findings %s of %s; last seen %s'):format(vim.inspect(expected), name, vim.inspect(M.codes(bufnr))), 2)
+  end
 end
 
 --- The first line that holds a text, and the column of it, both from 0.
