@@ -3,6 +3,7 @@
 use super::client::Client;
 use super::diagnostics::Report;
 use super::document::{self, Document, Role};
+use super::lookout::Lookout;
 use super::run::Outcome;
 use super::settings::{self, Settings};
 use super::shared::{Latest, Shared};
@@ -12,8 +13,8 @@ use super::{actions, watch};
 use crate::check::finding::Source;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use tower_lsp_server::LanguageServer;
 use tower_lsp_server::jsonrpc::{Error, Result};
 use tower_lsp_server::ls_types::{
@@ -32,6 +33,8 @@ pub(super) struct Backend {
     /// Whether the client has asked to end.
     pub ending: Arc<AtomicBool>,
     pub refresh: watch::Refresh,
+    /// Our own look-out for changes on the disk, for a client that keeps none.
+    pub lookout: Arc<Mutex<Option<Lookout>>>,
 }
 
 /// `psdl/text`: what the server believes to stand in a document.
@@ -61,6 +64,12 @@ impl LanguageServer for Backend {
         state.settings = params.initialization_options.as_ref().map(Settings::read).unwrap_or_default();
         let folders = params.workspace_folders.iter().flatten().map(|folder| &folder.uri);
         state.roots = folders.filter_map(document::file_path).collect();
+        if state.roots.is_empty() {
+            // What clients say that know of one folder only.
+            #[expect(deprecated, reason = "older clients say nothing else")]
+            let root = params.root_uri.as_ref().and_then(document::file_path);
+            state.roots.extend(root);
+        }
         tracing::info!("initialize: columns in {:?}, diagnostics {}", client.encoding, if client.pulls { "pulled" } else { "pushed" });
         let server_info = ServerInfo { name: "psdl".into(), version: Some(env!("CARGO_PKG_VERSION").into()) };
         Ok(InitializeResult { capabilities: client.offer(), server_info: Some(server_info), offset_encoding: None })
@@ -89,6 +98,7 @@ impl LanguageServer for Backend {
         let mut state = self.shared.state();
         let document = Document::new(item.uri.clone(), &item.language_id, item.version, &item.text);
         let role = document.role;
+        let path = document.path.clone().filter(|_| role != Role::Other && !state.client.watches);
         if state.documents.insert(item.uri.clone(), document).is_some() {
             tracing::warn!("a document was opened that was open already: its text is the new one");
         }
@@ -98,6 +108,9 @@ impl LanguageServer for Backend {
             unit.uri = Some(item.uri);
         }
         self.touched(state, &key, role);
+        if let Some(path) = path {
+            self.look_out(&path);
+        }
     }
 
     async fn did_change(&self, params: DidChangeTextDocumentParams) {
@@ -113,8 +126,9 @@ impl LanguageServer for Backend {
         document.version = params.text_document.version;
         let mut changes = Vec::with_capacity(params.content_changes.len());
         for change in &params.content_changes {
-            if change.range.is_some_and(|range| range.start > range.end || !document.holds(range.start) || !document.holds(range.end)) {
-                tracing::warn!("a change lies outside of the document; it is taken as the nearest inside");
+            if change.range.is_some_and(|range| range.start > range.end || !document.holds(range.start)) {
+                tracing::warn!("refused: a change outside of the document, and those that come with it; the whole text sets it right");
+                break;
             }
             changes.push(document.apply(change, encoding));
         }
@@ -245,6 +259,21 @@ impl Backend {
             (client.refreshes_tokens, Ask::Tokens),
         ];
         kinds.into_iter().filter(|(can, _)| *can).for_each(|(_, what)| self.refresh.ask(&self.client, what));
+    }
+
+    /// Looks out for changes beside a document and above it, where the client does not.
+    fn look_out(&self, document: &std::path::Path) {
+        let mut lookout = self.lookout.lock().unwrap_or_else(PoisonError::into_inner);
+        if lookout.is_none() {
+            let backend = Backend { lookout: Arc::default(), ..self.clone() };
+            match Lookout::new(move |paths| backend.files_changed(backend.shared.state(), paths)) {
+                Ok(new) => *lookout = Some(new),
+                Err(error) => tracing::warn!("changes on the disk are not noticed: {error}"),
+            }
+        }
+        if let Some(lookout) = lookout.as_mut() {
+            lookout.watch(document);
+        }
     }
 
     /// Does what follows from files having become others.

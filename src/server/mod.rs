@@ -22,6 +22,7 @@ mod document;
 mod frame;
 mod handlers;
 mod log;
+mod lookout;
 mod moved;
 mod output;
 mod params;
@@ -72,7 +73,7 @@ pub fn serve(options: &Options) -> io::Result<End> {
     let shared = Arc::new(Shared::new(output.clone()));
     shared.start()?;
     let ending = Arc::new(AtomicBool::new(false));
-    let backend = |client| Backend { shared, client, ending: ending.clone(), refresh: watch::Refresh::default() };
+    let backend = |client| Backend { shared, client, ending: ending.clone(), refresh: watch::Refresh::default(), lookout: Arc::default() };
     let (service, socket) =
         LspService::build(backend).custom_method("psdl/text", Backend::text).custom_method("$/setTrace", Backend::set_trace).finish();
     tracing::info!("psdl {} serves", env!("CARGO_PKG_VERSION"));

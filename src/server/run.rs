@@ -3,7 +3,7 @@
 use super::client::Client;
 use super::diagnostics::{self, Item, Report, Writer};
 use super::document::{Role, template_of};
-use crate::analysis::{self, Analysis, Input, Options};
+use crate::analysis::{self, Analysis, Input};
 use crate::check::finding::{Code, Finding, Place, Source};
 use crate::config::{ConfigError, Resolved, Resolver};
 use crate::syntax::LineIndex;
@@ -112,10 +112,10 @@ fn configuration(job: &Job) -> Outcome {
 }
 
 fn program(job: &Job) -> Option<Outcome> {
-    let (options, files, error) = match job.path.as_deref().map(|path| job.resolver.resolve(path)) {
-        None => (Options::default(), Vec::new(), None),
-        Some(Ok(Resolved { options, files, .. })) => (options, files, None),
-        Some(Err(error)) => (Options::default(), Vec::new(), Some(error)),
+    let (Resolved { options, files, excluded, .. }, error) = match job.path.as_deref().map(|path| job.resolver.resolve(path)) {
+        None => (Resolved::default(), None),
+        Some(Ok(resolved)) => (resolved, None),
+        Some(Err(error)) => (Resolved::default(), Some(error)),
     };
     let (text, is_program) = program_text(job);
     let (template, trouble) = template_text(job);
@@ -140,6 +140,10 @@ fn program(job: &Job) -> Option<Outcome> {
             }
         }
     };
+    if excluded {
+        // As in a walk over the folder, nothing is said about it; all else works.
+        items.clear();
+    }
     if let Some(error) = &error {
         items.insert(0, writer.bad_configuration(error));
     }

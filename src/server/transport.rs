@@ -48,6 +48,7 @@ where
     let (requests, mut responses) = socket.split();
     runtime.spawn(forward(requests, output.clone()));
     let mut frames = FrameReader::new(input);
+    let mut begun = false;
     loop {
         let message = match frames.next() {
             Ok(Some(Frame::Body(body))) => read(&body),
@@ -61,6 +62,11 @@ where
         match message {
             Message::Request(request) => {
                 let exit = request.method() == "exit";
+                begun |= request.method() == "initialize";
+                if !begun && !exit && request.id().is_none() {
+                    // The service passes it by without a word.
+                    tracing::warn!("refused: {:.80} before initialize", request.method());
+                }
                 call(&mut service, request, output, runtime);
                 if exit {
                     return;

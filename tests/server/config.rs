@@ -104,7 +104,7 @@ fn the_configuration_holds_and_its_changes_too() {
     assert_eq!(codes(&client.published(&program)), [""; 0]);
     place.write("psdl.toml", "severity.overlap = \"info\"\n");
     saved(&mut client, &place.uri("psdl.toml"));
-    assert_eq!(client.diagnostics(&program, 1)[0]["severity"], 3);
+    client.wait("the new severity", |message| message["params"]["diagnostics"][0]["severity"] == 3);
     client.finish();
 }
 
@@ -128,5 +128,32 @@ fn a_wrong_configuration_is_told_at_its_place_and_at_the_program() {
     assert!(cleared["params"]["diagnostics"].is_array());
     client.change(&config, 2, json!([{"text": "severity = 1\n"}]));
     assert_eq!(codes(&client.published(&program)), ["configuration", "overlap"]);
+    client.finish();
+}
+
+#[test]
+fn nothing_is_said_about_what_the_configuration_leaves_out() {
+    let place = Place::new();
+    place.write("psdl.toml", "exclude = [\"old/\"]\n");
+    let (old, new) = (place.uri("old/a.psdl"), place.uri("a.psdl"));
+    let mut client = Client::start(capabilities("utf-16"));
+    client.open(&old, 1, OVERLAP);
+    assert_eq!(codes(&client.published(&old)), [""; 0]);
+    client.open(&new, 1, OVERLAP);
+    assert_eq!(codes(&client.published(&new)), ["overlap"]);
+    client.finish();
+}
+
+#[test]
+fn changes_on_the_disk_are_noticed_for_a_client_that_does_not_watch() {
+    let place = Place::new();
+    let program = place.uri("a.psdl");
+    let mut client = Client::start(capabilities("utf-16"));
+    client.open(&program, 1, OVERLAP);
+    assert_eq!(codes(&client.published(&program)), ["overlap"]);
+    place.write("psdl.toml", "[severity]\noverlap = \"off\"\n");
+    client.wait("no findings", |message| message["params"]["uri"] == *program && codes(&message["params"]).is_empty());
+    std::fs::remove_file(place.path("psdl.toml")).unwrap();
+    client.wait("the finding", |message| message["params"]["uri"] == *program && codes(&message["params"]) == ["overlap"]);
     client.finish();
 }

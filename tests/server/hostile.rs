@@ -102,34 +102,41 @@ fn documents_that_are_not_open_are_not_changed() {
 }
 
 #[test]
-fn edits_out_of_range_are_brought_into_it() {
-    let mut client = Client::start(capabilities("utf-16"));
+fn edits_out_of_range_are_refused_and_the_next_good_one_works() {
+    let log = tempfile::NamedTempFile::new().unwrap();
+    let mut client = Client::start_with(&["--log", log.path().to_str().unwrap()], capabilities("utf-16"));
     client.open("untitled:1", 1, "a = 1\n");
     let most = 2_147_483_647;
     let range = |from: (u32, u32), to: (u32, u32)| json!({"start": {"line": from.0, "character": from.1}, "end": {"line": to.0, "character": to.1}});
-    client.change("untitled:1", 2, json!([{"range": range((most, most), (most, most)), "text": "b = 2\n"}]));
-    assert_eq!(client.text("untitled:1"), "a = 1\nb = 2\n");
-    client.change("untitled:1", 3, json!([{"range": range((1, most), (1, 0)), "text": "c"}]));
-    assert_eq!(client.text("untitled:1"), "a = 1\nc\n");
-    client.change("untitled:1", 3, json!([{"range": range((0, 0), (most, 0)), "rangeLength": 1, "text": ""}]));
+    let mut refused = |version: i32, changes: Value| {
+        client.change("untitled:1", version, changes);
+        assert_eq!(client.text("untitled:1"), "a = 1\n", "version {version}");
+    };
+    refused(2, json!([{"range": range((2, 0), (2, 0)), "text": "b"}]));
+    refused(3, json!([{"range": range((most, most), (most, most)), "text": "b"}]));
+    refused(4, json!([{"range": range((0, 3), (0, 1)), "text": "b"}]));
+    refused(5, json!([{"range": range((7, 0), (7, 0)), "text": "b"}, {"range": range((0, 0), (0, 0)), "text": "c"}]));
+    refused(6, json!([{"range": {"start": {"line": -1, "character": 0}, "end": {"line": 0, "character": 0}}, "text": "x"}]));
+    let text = std::fs::read_to_string(log.path()).unwrap();
+    assert_eq!(text.matches("refused").count(), 5, "{text}");
+    // Behind the end of a line means its end, and an end behind the last line the end of the text.
+    client.change("untitled:1", 7, json!([{"range": range((0, most), (0, most)), "text": "0"}]));
+    assert_eq!(client.text("untitled:1"), "a = 10\n");
+    client.change("untitled:1", 8, json!([{"range": range((0, 0), (most, 0)), "rangeLength": 1, "text": ""}]));
     assert_eq!(client.text("untitled:1"), "");
-    client.change(
-        "untitled:1",
-        4,
-        json!([{"range": {"start": {"line": -1, "character": 0}, "end": {"line": 0, "character": 0}}, "text": "x"}]),
-    );
-    client.change("untitled:1", 5, json!([]));
-    assert_eq!(client.text("untitled:1"), "");
-    assert!(client.diagnostics("untitled:1", 5).is_empty());
+    client.change("untitled:1", 9, json!([]));
+    assert!(client.diagnostics("untitled:1", 9).is_empty());
     client.finish();
 }
 
 #[test]
 fn requests_before_the_beginning_and_after_the_end_are_refused() {
-    let mut client = Client::spawn(&[]);
+    let log = tempfile::NamedTempFile::new().unwrap();
+    let mut client = Client::spawn(&["--log", log.path().to_str().unwrap()]);
     assert_eq!(code(&client.request("psdl/text", json!({"textDocument": {"uri": "untitled:1"}}))), -32002);
     client.open("untitled:1", 1, OVERLAP);
     assert_eq!(code(&client.request("initialize", json!({"capabilities": 7}))), -32602);
+    assert!(std::fs::read_to_string(log.path()).unwrap().contains("refused: textDocument/didOpen before initialize"));
     assert!(client.request("initialize", json!({"capabilities": {}}))["result"].is_object());
     client.is_well();
     assert_eq!(client.request("shutdown", Value::Null)["result"], Value::Null);
