@@ -190,7 +190,6 @@ fn execute(
         trace: if record { Trace::recording(MAX_TRACE) } else { Trace::default() },
         constants: changes.constants().collect(),
         directions: changes.turns().map(|(id, cardinal)| (id, cardinal as u8)).collect(),
-        ..vm::Options::default()
     };
     let run = host::run(program, in_loops, host, options, &mut |_| {});
     Some(match run.outcome.stop {
