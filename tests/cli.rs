@@ -350,3 +350,23 @@ fn completions_and_man_pages_know_every_command() {
         assert!(text.contains(".SH NAME"), "{page}");
     }
 }
+
+#[test]
+fn a_check_may_suggest_how_to_clear_each_error() {
+    let text = OVERLAP.replace("(0.5, 0, 0.5)", "(0.5 * 1, 0, 0.5)");
+    let folder = folder(&[("wrong.psdl", &text)]);
+    let title = "Change 0.5 → 1.0: clears 1 overlap, moves b";
+    let check = |args: &[&str]| {
+        let report = psdl(folder.path(), &[&["check", "wrong.psdl"], args].concat());
+        assert_eq!(code(&report), 1);
+        out(&report)
+    };
+    assert!(check(&["--suggest"]).contains(&format!("help: {title}")), "{}", check(&["--suggest"]));
+    assert!(!check(&[]).contains("help: "));
+    let json: serde_json::Value = serde_json::from_str(&check(&["--suggest", "--format", "json"])).expect("JSON");
+    let suggestion = &json["files"][0]["findings"][0]["suggestion"];
+    assert_eq!((&suggestion["title"], &suggestion["edits"][0]["text"]), (&title.into(), &"1.0".into()));
+    let sarif: serde_json::Value = serde_json::from_str(&check(&["--suggest", "--format", "sarif"])).expect("JSON");
+    let fix = &sarif["runs"][0]["results"][0]["fixes"][0];
+    assert_eq!(fix["artifactChanges"][0]["replacements"][0]["insertedContent"]["text"], "1.0", "{fix}");
+}

@@ -39,6 +39,7 @@ fn finding(code: Code, place: Place, message: &str) -> Finding {
         loss: 0,
         objects: Vec::new(),
         fix: None,
+        suggestion: None,
         partial: false,
     }
 }

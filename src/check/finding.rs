@@ -123,6 +123,8 @@ pub struct Finding {
     pub objects: Vec<usize>,
     /// A change of the text that resolves it, where one is known without search.
     pub fix: Option<Fix>,
+    /// The best single edit (or pair) that lessens these errors, where one was looked for.
+    pub suggestion: Option<Fix>,
     /// Another finding at `(place of) cause` makes this one doubtful: the run was partial.
     pub partial: bool,
 }
@@ -142,6 +144,7 @@ impl Finding {
             loss: 0,
             objects: Vec::new(),
             fix: None,
+            suggestion: None,
             partial: false,
         }
     }

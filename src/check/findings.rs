@@ -94,6 +94,7 @@ fn finding(layout: &Layout, case: &Case, group: Group) -> Finding {
         loss: group.members.iter().fold(0, |sum, (violation, _)| sum.saturating_add(violation.loss)),
         objects: std::iter::once(blame.subject).chain(blame.other).collect(),
         fix: None,
+        suggestion: None,
         partial: false,
     }
 }
@@ -177,6 +178,7 @@ fn vain(layout: &Layout, warning: &Warning) -> Finding {
         loss: 0,
         objects: object.into_iter().collect(),
         fix: None,
+        suggestion: None,
         partial: false,
     }
 }

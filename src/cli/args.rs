@@ -127,6 +127,10 @@ pub struct CheckArgs {
     #[arg(long, value_name = "PATH", value_hint = ValueHint::FilePath)]
     pub stdin_filename: Option<PathBuf>,
 
+    /// Say for each layout error which edit of a constant or direction clears it best.
+    #[arg(long)]
+    pub suggest: bool,
+
     /// Check again whenever something changes.
     #[arg(long)]
     pub watch: bool,

@@ -10,6 +10,7 @@ use super::watch::Lookout;
 use super::{Outcome, STACK, changed};
 use crate::analysis::{self, Input, Options};
 use crate::check::finding::{Code, Finding, Place, Source};
+use crate::repair;
 use crate::report::{FileReport, Format, Printer, Summary};
 use rayon::prelude::*;
 use ruff_text_size::TextRange;
@@ -121,6 +122,10 @@ impl Checker<'_> {
         let unreadable = matches!(loaded.text, Err(Trouble::Io(_)));
         let (text, template, mut findings, objects) = findings(&loaded, &options);
         findings.retain(|finding| self.keeps(finding.code));
+        if self.args.suggest && findings.iter().any(|finding| finding.code.is_layout()) {
+            let input = Input { text, template: template.map(|(_, text)| text) };
+            repair::add_suggestions(&input, &options, &mut findings);
+        }
         let template = template.map(|(path, text)| (path.as_str(), text));
         let file = FileReport { path: &loaded.path, text, template, findings: &findings, objects: &objects };
         let (mut remembered, mut fixed) = (BTreeMap::new(), Vec::new());

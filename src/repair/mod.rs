@@ -11,6 +11,7 @@
 //! Knows the rooms that run and check a program. Knows nothing of files and protocols.
 
 mod changes;
+mod constants;
 mod guided;
 mod measure;
 mod paper;
@@ -18,12 +19,17 @@ mod problem;
 mod proposals;
 mod refine;
 mod state;
+mod suggest;
 mod transport;
+mod words;
 
 pub use changes::{Change, Changes};
+pub use constants::Names;
 pub use measure::Score;
 pub use problem::{Problem, Ran, Unfit};
+pub use suggest::{Suggester, Suggestion, Tally, add_suggestions};
 pub use transport::transport;
+pub use words::title;
 
 use crate::check::{ErrorKind, Verdict};
 use crate::syntax::Edit;

@@ -6,8 +6,8 @@
 use crate::check::measure::{clearance_box, penetration};
 use crate::check::{ErrorKind, Rules, Violation};
 use crate::scene::{Axis, Body, Cardinal};
-use crate::syntax::ConstantId;
 use crate::syntax::tune;
+use crate::syntax::{ConstantId, DirectionId};
 
 use super::Settings;
 use super::changes::Change;
@@ -110,6 +110,16 @@ pub(super) fn turns(problem: &Problem, settings: &Settings, state: &State, error
     };
     let others = |id| tune::Cardinal::ALL.into_iter().filter(move |cardinal| turned(id).or(written(id)) != Some(*cardinal));
     directions.into_iter().flat_map(|id| others(id).map(move |cardinal| Change::Turn(id, cardinal))).collect()
+}
+
+/// Every direction of the program to every other cardinal.
+pub(super) fn all_turns(problem: &Problem) -> impl Iterator<Item = Change> {
+    let turns = |(at, direction): (usize, &tune::Direction)| {
+        let (id, kind) = (DirectionId(at as u32), direction.kind);
+        let others = tune::Cardinal::ALL.into_iter().filter(move |cardinal| kind != tune::DirectionKind::Literal(*cardinal));
+        others.map(move |cardinal| Change::Turn(id, cardinal))
+    };
+    problem.tuning().directions.iter().enumerate().flat_map(turns)
 }
 
 fn ways_out(rules: &Rules, state: &State, error: &Violation, ways: &mut Vec<Way>) {

@@ -106,7 +106,7 @@ fn round(search: &mut Search<'_>, mut best: State) -> State {
 }
 
 /// Numbers near a value, fewest decimals first, of equally many that nearest to the original first.
-fn candidates(value: f64, original: f64) -> Vec<f64> {
+pub(super) fn candidates(value: f64, original: f64) -> Vec<f64> {
     let mut found = Vec::new();
     for decimals in 0..=6 {
         let unit = 10_f64.powi(decimals);

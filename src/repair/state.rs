@@ -137,6 +137,17 @@ impl State {
 
     /// What another value of a literal would give, by replay; `None` where a decision of the program comes out otherwise.
     pub(super) fn try_literal(&mut self, problem: &Problem, literal: usize, value: f64) -> Option<Score> {
+        self.tried(problem, literal, value, None)
+    }
+
+    /// The same with the errors that there would be.
+    pub(super) fn try_errors(&mut self, problem: &Problem, literal: usize, value: f64) -> Option<(Score, Vec<Violation>)> {
+        let mut errors = Vec::new();
+        let score = self.tried(problem, literal, value, Some(&mut errors))?;
+        Some((score, errors))
+    }
+
+    fn tried(&mut self, problem: &Problem, literal: usize, value: f64, keep: Option<&mut Vec<Violation>>) -> Option<Score> {
         let record = Arc::clone(&self.record);
         let slice = &record.slices.literals()[literal];
         self.replay.set(&record.trace, slice, value);
@@ -145,7 +156,7 @@ impl State {
             return None;
         }
         let old = self.place(&record, literal);
-        let score = self.rescore(problem, &record, &old, None);
+        let score = self.rescore(problem, &record, &old, keep);
         for (object, body) in old {
             self.bodies[object as usize] = body;
             self.moved[object as usize] = false;

@@ -3,7 +3,8 @@
 use super::fingerprint::fingerprints;
 use super::view::{Point, View};
 use super::{FileReport, Summary, object_name, to_json};
-use crate::check::finding::{Finding, Place};
+use crate::check::finding::{self, Finding, Place};
+use ruff_text_size::TextRange;
 use serde::Serialize;
 use std::fmt::Write as _;
 
@@ -36,6 +37,8 @@ struct One<'a> {
     metres: f64,
     loss: u64,
     fix: Option<Fix<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    suggestion: Option<Fix<'a>>,
     partial: bool,
     fingerprint: String,
 }
@@ -128,20 +131,19 @@ fn one<'a>(file: &FileReport<'a>, view: &View<'a>, finding: &'a Finding, fingerp
         count: finding.count,
         metres: finding.metres,
         loss: finding.loss,
-        fix: finding.fix.as_ref().map(|fix| Fix {
-            title: &fix.title,
-            edits: fix
-                .edits
-                .iter()
-                .map(|(range, text)| {
-                    let span = view.span(Place::program(*range));
-                    Edit { start: span.start, end: span.end, text }
-                })
-                .collect(),
-        }),
+        fix: finding.fix.as_ref().map(|fix| change(view, fix)),
+        suggestion: finding.suggestion.as_ref().map(|fix| change(view, fix)),
         partial: finding.partial,
         fingerprint,
     }
+}
+
+fn change<'a>(view: &View<'a>, fix: &'a finding::Fix) -> Fix<'a> {
+    let edit = |(range, text): &'a (TextRange, String)| {
+        let span = view.span(Place::program(*range));
+        Edit { start: span.start, end: span.end, text }
+    };
+    Fix { title: &fix.title, edits: fix.edits.iter().map(edit).collect() }
 }
 
 fn location<'a>(view: &View<'a>, place: Place) -> Location<'a> {

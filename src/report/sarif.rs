@@ -73,15 +73,19 @@ fn result(file: &FileReport, view: &View, finding: &Finding, fingerprint: &str) 
         let related = related.map(|r| json!({"physicalLocation": physical(&view.span(r.place)), "message": {"text": r.message}}));
         result["relatedLocations"] = related.collect();
     }
-    if let Some(fix) = &finding.fix {
+    let fixes = finding.fix.iter().chain(&finding.suggestion).map(|fix| {
         let replacements = fix.edits.iter().map(|(range, text)| {
             let span = view.span(Place::program(*range));
             json!({"deletedRegion": region(&span), "insertedContent": {"text": text}})
         });
-        result["fixes"] = json!([{
+        json!({
             "description": {"text": fix.title},
             "artifactChanges": [{"artifactLocation": {"uri": uri(file.path)}, "replacements": replacements.collect::<Vec<Value>>()}],
-        }]);
+        })
+    });
+    let fixes: Vec<Value> = fixes.collect();
+    if !fixes.is_empty() {
+        result["fixes"] = Value::Array(fixes);
     }
     result
 }

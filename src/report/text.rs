@@ -63,7 +63,7 @@ fn group<'a>(view: &View<'a>, file: &FileReport<'a>, finding: &'a Finding) -> Gr
     if finding.partial {
         group = group.element(Level::NOTE.message("the program did not run to its end, so this may change once it does"));
     }
-    if let Some(fix) = &finding.fix {
+    for fix in finding.fix.iter().chain(&finding.suggestion) {
         group = group.element(Level::HELP.message(clean(&fix.title)));
     }
     group

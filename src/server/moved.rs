@@ -42,6 +42,7 @@ impl TextChange {
     /// Moves a finding with the text; false if its place is gone. Its fix was for the older text and is dropped.
     pub(super) fn carry(&self, source: Source, finding: &mut Finding) -> bool {
         finding.fix = None;
+        finding.suggestion = None;
         finding.related.retain_mut(|related| match self.place(source, related.place) {
             Some(place) => {
                 related.place = place;
