@@ -38,3 +38,14 @@ fn the_schema_of_the_configuration_is_shipped() {
     let schema = serde_json::to_string_pretty(&psdl::config::schema()).expect("it is JSON") + "\n";
     assert_current(Path::new("docs/psdl.schema.json"), &schema);
 }
+
+#[test]
+fn the_program_that_models_are_shown_is_clean() {
+    let prompt = std::fs::read_to_string(root().join("prompts/scene.md")).unwrap();
+    let program = prompt.split("```python\n").nth(1).unwrap().split("```").next().unwrap();
+    let input = psdl::analysis::Input { text: program, template: None };
+    let analysis = psdl::analysis::analyse(&input, &psdl::analysis::Options::default(), None);
+    let findings: Vec<String> = analysis.findings.iter().map(|finding| format!("{}: {}", finding.code, finding.message)).collect();
+    assert_eq!(findings, [""; 0]);
+    assert_eq!(analysis.object_names().len(), 6);
+}
