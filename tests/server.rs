@@ -12,6 +12,8 @@ mod flows;
 mod hostile;
 #[path = "server/pull.rs"]
 mod pull;
+#[path = "server/reading.rs"]
+mod reading;
 #[path = "server/soak.rs"]
 mod soak;
 #[path = "server/stale.rs"]

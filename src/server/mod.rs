@@ -26,11 +26,13 @@ mod lookout;
 mod moved;
 mod output;
 mod params;
+mod reading;
 mod run;
 mod settings;
 mod shared;
 mod state;
 mod transport;
+mod view;
 mod watch;
 
 pub use log::LogLevel;

@@ -3,9 +3,10 @@
 use super::client::Client;
 use super::diagnostics::{self, Item, Report, Writer};
 use super::document::{Role, template_of};
-use crate::analysis::{self, Analysis, Input};
+use crate::analysis::{self, Analysis, Input, Prepared};
 use crate::check::finding::{Code, Finding, Place, Source};
 use crate::config::{ConfigError, Resolved, Resolver};
+use crate::ide::{Program, Scene};
 use crate::syntax::LineIndex;
 use ropey::Rope;
 use ruff_text_size::TextRange;
@@ -65,8 +66,17 @@ pub(super) struct Outcome {
     pub config: Option<Report>,
     /// The files of the configuration that holds.
     pub config_files: Vec<PathBuf>,
-    /// The findings, if the program could be run.
-    pub fresh: Option<Vec<Kept>>,
+    /// The program, read.
+    pub program: Option<Arc<Program>>,
+    /// What is kept of a program that could be run.
+    pub fresh: Option<Fresh>,
+}
+
+/// What is kept until the next run that comes to something.
+#[derive(Debug)]
+pub(super) struct Fresh {
+    pub kept: Vec<Kept>,
+    pub scene: Arc<Scene>,
 }
 
 /// A text with its name and its lines.
@@ -74,16 +84,17 @@ pub(super) struct Outcome {
 pub(super) struct Text {
     pub uri: Option<Uri>,
     pub version: Option<i32>,
-    pub text: String,
-    pub lines: LineIndex,
+    pub text: Arc<str>,
+    pub lines: Arc<LineIndex>,
 }
 
 impl Text {
-    fn new(uri: Option<Uri>, version: Option<i32>, text: String) -> Text {
-        Text { lines: LineIndex::new(&text), uri, version, text }
+    pub(super) fn new(uri: Option<Uri>, version: Option<i32>, text: impl Into<Arc<str>>) -> Text {
+        let text = text.into();
+        Text { lines: Arc::new(LineIndex::new(&text)), uri, version, text }
     }
 
-    fn open(open: &Open) -> Text {
+    pub(super) fn open(open: &Open) -> Text {
         Text::new(Some(open.uri.clone()), Some(open.version), open.text.to_string())
     }
 
@@ -108,7 +119,7 @@ fn configuration(job: &Job) -> Outcome {
         Some(Err(error)) if Some(&error.path) == job.path.as_ref() => diagnostics::configuration(&error, &text, job.client),
         _ => Vec::new(),
     };
-    Outcome { main: Report::new(text, items), template: None, config: None, config_files: Vec::new(), fresh: None }
+    Outcome { main: Report::new(text, items), template: None, config: None, config_files: Vec::new(), program: None, fresh: None }
 }
 
 fn program(job: &Job) -> Option<Outcome> {
@@ -121,19 +132,19 @@ fn program(job: &Job) -> Option<Outcome> {
     let (template, trouble) = template_text(job);
     let writer = Writer { program: &text, template: template.as_ref(), client: job.client };
 
-    let mut fresh = None;
+    let (mut read, mut fresh) = (None, None);
     let mut items = match trouble {
         Some(finding) => vec![writer.item(finding, &[], false)],
         None => {
-            let input = Input { text: &text.text, template: template.as_ref().map(|template| template.text.as_str()) };
+            let input = Input { text: &text.text, template: template.as_ref().map(|template| &*template.text) };
             if is_program {
                 let analysis = analysis::analyse(&input, &options, Some(&job.cancel));
                 if analysis.cancelled {
                     return None;
                 }
-                let (items, ran) = judged(job, &writer, analysis);
-                fresh = ran;
-                items
+                let judged = judged(job, &writer, analysis);
+                (read, fresh) = (Some(judged.program), judged.fresh);
+                judged.items
             } else {
                 let found = analysis::prepare(&input).findings.into_iter();
                 found.map(|finding| writer.item(finding, &[], false)).collect()
@@ -155,13 +166,20 @@ fn program(job: &Job) -> Option<Outcome> {
         template: template.map(|template| Report::new(template, about_template)),
         config,
         config_files: files,
+        program: read,
         fresh,
     })
 }
 
+/// What came of an analysis.
+struct Judged {
+    items: Vec<Item>,
+    program: Arc<Program>,
+    fresh: Option<Fresh>,
+}
+
 /// What was found; where nothing could be run, what was found last, marked stale.
-fn judged(job: &Job, writer: &Writer, analysis: Analysis) -> (Vec<Item>, Option<Vec<Kept>>) {
-    let ran = analysis.layout.is_some();
+fn judged(job: &Job, writer: &Writer, analysis: Analysis) -> Judged {
     let names = analysis.object_names();
     let named = |finding: Finding| {
         let objects = finding.objects.iter().filter_map(|index| names.get(*index).cloned()).collect();
@@ -169,11 +187,18 @@ fn judged(job: &Job, writer: &Writer, analysis: Analysis) -> (Vec<Item>, Option<
     };
     let found: Vec<Kept> = analysis.findings.into_iter().map(named).collect();
     let mut items: Vec<Item> = found.iter().map(|kept| writer.item(kept.finding.clone(), &kept.objects, false)).collect();
-    if ran {
-        return (items, Some(found));
+    let text = writer.program.text.clone();
+    let Prepared { parsed, mut tuning, template, .. } = analysis.prepared;
+    if !parsed.is_complete() {
+        tuning = crate::syntax::tune(&parsed, &text);
     }
-    items.extend(job.kept.iter().map(|kept| writer.item(kept.finding.clone(), &kept.objects, true)));
-    (items, None)
+    let program = Arc::new(Program { text: text.clone(), parsed, tuning });
+    let Some(layout) = analysis.layout else {
+        items.extend(job.kept.iter().map(|kept| writer.item(kept.finding.clone(), &kept.objects, true)));
+        return Judged { items, program, fresh: None };
+    };
+    let scene = Arc::new(Scene { text, layout, verdict: analysis.verdict, template, partial: analysis.partial });
+    Judged { items, program, fresh: Some(Fresh { kept: found, scene }) }
 }
 
 /// The program, and whether there is one: a template may be open beside no program at all.

@@ -128,7 +128,8 @@ impl Shared {
         let outcome = Arc::new(outcome);
         let Some(unit) = state.units.get_mut(key) else { return };
         if let Some(fresh) = fresh {
-            unit.kept = fresh;
+            unit.kept = fresh.kept;
+            unit.scene = Some(fresh.scene);
         }
         unit.latest = Some((wanted, outcome.clone()));
         for waiting in unit.waiting.drain(..) {

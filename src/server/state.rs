@@ -9,6 +9,7 @@ use super::run::{Job, Kept, Open, Outcome};
 use super::settings::Settings;
 use crate::check::finding::Source;
 use crate::config::Resolver;
+use crate::ide::Scene;
 use ropey::Rope;
 use rustc_hash::FxHashMap;
 use std::collections::VecDeque;
@@ -42,6 +43,8 @@ pub(super) struct Unit {
     pub latest: Option<(u64, Arc<Outcome>)>,
     /// The findings of the last run that came to something, moved along with the texts.
     pub kept: Vec<Kept>,
+    /// The scene of that run.
+    pub scene: Option<Arc<Scene>>,
     /// Who waits for the next outcome.
     pub waiting: Vec<oneshot::Sender<Arc<Outcome>>>,
 }
@@ -126,6 +129,7 @@ impl State {
             queued: false,
             latest: None,
             kept: Vec::new(),
+            scene: None,
             waiting: Vec::new(),
         })
     }
