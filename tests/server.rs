@@ -1,5 +1,7 @@
 //! `psdl lsp`, spoken to as an editor does, through the real program.
 
+#[path = "server/actions.rs"]
+mod actions;
 #[path = "server/client.rs"]
 mod client;
 #[path = "server/config.rs"]

@@ -28,7 +28,7 @@ pub fn quick_fixes<'a>(findings: impl IntoIterator<Item = &'a Finding>, range: T
 }
 
 /// Whether they share a byte, or meet: a cursor at the end of what is underlined means it.
-fn touches(finding: &Finding, range: TextRange) -> bool {
+pub fn touches(finding: &Finding, range: TextRange) -> bool {
     finding.place.source == Source::Program && finding.place.range.intersect(range).is_some()
 }
 

@@ -12,14 +12,20 @@ mod docs;
 mod find;
 mod fixes;
 mod hover;
+mod lab;
 mod program;
+pub mod search;
+mod suppress;
 mod values;
 mod words;
 
 pub use docs::Doc;
-pub use fixes::{QuickFix, quick_fixes};
+pub use fixes::{QuickFix, quick_fixes, touches};
 pub use hover::{Hover, hover};
+pub use lab::{Lab, Offer};
 pub use program::{Deed, Mark, Program, Scene, View};
+pub use search::Search;
+pub use suppress::suppress;
 
 #[cfg(test)]
 mod tests;

@@ -29,7 +29,7 @@ pub use measure::Score;
 pub use problem::{Problem, Ran, Unfit};
 pub use suggest::{Suggester, Suggestion, Tally, add_suggestions};
 pub use transport::transport;
-pub use words::title;
+pub use words::{edit_titles, title};
 
 use crate::check::{ErrorKind, Verdict};
 use crate::syntax::Edit;

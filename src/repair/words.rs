@@ -8,6 +8,7 @@ use super::changes::Change;
 use super::constants::Names;
 use super::problem::Problem;
 use super::suggest::{Suggestion, Tally};
+use super::{Effect, Fix, effects};
 
 /// Texts of a program of more characters than this are cut short.
 const LONG: usize = 24;
@@ -41,6 +42,22 @@ pub fn title(problem: &Problem, names: &Names, suggestion: &Suggestion, beside: 
         title.push_str(&format!(", moves {}", objects(problem, &suggestion.moved)));
     }
     title
+}
+
+/// What each edit of a fix does, given the others, in the order of its edits.
+pub fn edit_titles(problem: &Problem, fix: &Fix) -> Vec<String> {
+    let names = Names::of(problem.parsed());
+    let effects = effects(problem, fix);
+    let described = fix.edits.iter().zip(effects).map(|((range, new), effect)| {
+        let old = shown(problem.text().get(range.start().to_usize()..range.end().to_usize()).unwrap_or_default());
+        let constant = problem.tuning().constant_at(*range);
+        let name = constant.and_then(|id| names.get(problem, id)).map_or_else(String::new, |name| format!("{} ", shown(name)));
+        let plural = |count: usize| if count == 1 { "" } else { "s" };
+        let Effect { clears, moves } = effect;
+        let new = new.trim();
+        format!("Change {name}{old} → {new}: clears {clears} error{}, moves {moves} object{}", plural(clears), plural(moves))
+    });
+    described.collect()
 }
 
 fn edit_of(problem: &Problem, change: Change) -> Option<Edit> {

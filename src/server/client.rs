@@ -1,6 +1,9 @@
 //! What the client can do, and what is offered to it in return.
 
+use super::actions::FIX_ALL;
+use super::requests::COMMANDS;
 use crate::syntax::Encoding;
+use tower_lsp_server::ls_types::ExecuteCommandOptions;
 use tower_lsp_server::ls_types::{
     CodeActionKind, CodeActionOptions, CodeActionProviderCapability, DiagnosticOptions, DiagnosticServerCapabilities, DiagnosticTag,
     HoverProviderCapability, InitializeParams, OneOf, PositionEncodingKind, SaveOptions, ServerCapabilities, TextDocumentSyncCapability,
@@ -27,6 +30,12 @@ pub(super) struct Client {
     pub code_description: bool,
     /// It takes edits with the version that they are for.
     pub document_changes: bool,
+    /// It asks for the edit of an action when that is chosen.
+    pub resolves_edits: bool,
+    /// It lets the user look at edits before they are made.
+    pub annotates: bool,
+    /// It shows the progress of work that the server began.
+    pub progress: bool,
     /// It watches files when it is asked to.
     pub watches: bool,
     /// It is asked for the user's settings.
@@ -52,6 +61,9 @@ impl Default for Client {
             unnecessary: false,
             code_description: false,
             document_changes: false,
+            resolves_edits: false,
+            annotates: false,
+            progress: false,
             watches: false,
             has_settings: false,
             watches_settings: false,
@@ -68,6 +80,7 @@ impl Client {
         let workspace = params.capabilities.workspace.as_ref();
         let publish = document.and_then(|document| document.publish_diagnostics.as_ref());
         let pull = document.and_then(|document| document.diagnostic.as_ref());
+        let action = document.and_then(|document| document.code_action.as_ref());
         let tags = publish.and_then(|publish| publish.tag_support.as_ref());
         let offered = params.capabilities.general.as_ref().and_then(|general| general.position_encodings.as_ref());
         Client {
@@ -79,6 +92,12 @@ impl Client {
             unnecessary: tags.is_some_and(|tags| tags.value_set.contains(&DiagnosticTag::UNNECESSARY)),
             code_description: publish.and_then(|publish| publish.code_description_support).unwrap_or(false),
             document_changes: workspace.and_then(|workspace| workspace.workspace_edit.as_ref()?.document_changes).unwrap_or(false),
+            resolves_edits: action.is_some_and(|action| {
+                let resolves = action.resolve_support.as_ref().is_some_and(|resolve| resolve.properties.iter().any(|name| name == "edit"));
+                resolves && action.data_support == Some(true)
+            }),
+            annotates: workspace.and_then(|workspace| workspace.workspace_edit.as_ref()?.change_annotation_support.as_ref()).is_some(),
+            progress: params.capabilities.window.as_ref().and_then(|window| window.work_done_progress).unwrap_or(false),
             watches: workspace.and_then(|workspace| workspace.did_change_watched_files.as_ref()?.dynamic_registration).unwrap_or(false),
             has_settings: workspace.and_then(|workspace| workspace.configuration).unwrap_or(false),
             watches_settings: workspace
@@ -98,7 +117,12 @@ impl Client {
             workspace_diagnostics: false,
             ..DiagnosticOptions::default()
         };
-        let actions = CodeActionOptions { code_action_kinds: Some(vec![CodeActionKind::QUICKFIX]), ..CodeActionOptions::default() };
+        let actions = CodeActionOptions {
+            code_action_kinds: Some(vec![CodeActionKind::QUICKFIX, FIX_ALL]),
+            resolve_provider: Some(true),
+            ..CodeActionOptions::default()
+        };
+        let commands = ExecuteCommandOptions { commands: COMMANDS.map(String::from).to_vec(), ..ExecuteCommandOptions::default() };
         ServerCapabilities {
             position_encoding: Some(match self.encoding {
                 Encoding::Utf8 => PositionEncodingKind::UTF8,
@@ -114,6 +138,8 @@ impl Client {
             diagnostic_provider: self.pulls.then_some(DiagnosticServerCapabilities::Options(diagnostics)),
             hover_provider: Some(HoverProviderCapability::Simple(true)),
             code_action_provider: Some(CodeActionProviderCapability::Options(actions)),
+            execute_command_provider: Some(commands),
+            experimental: Some(serde_json::json!({ "psdl": { "version": 1 } })),
             workspace: Some(WorkspaceServerCapabilities {
                 workspace_folders: Some(WorkspaceFoldersServerCapabilities {
                     supported: Some(true),

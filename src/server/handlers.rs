@@ -11,12 +11,14 @@ use super::state::{Key, State};
 use super::watch::Ask;
 use super::{actions, watch};
 use crate::check::finding::Source;
+use crate::repair::Watch;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use tower_lsp_server::LanguageServer;
-use tower_lsp_server::jsonrpc::{Error, Result};
+use tower_lsp_server::jsonrpc::{Error, ErrorCode, Result};
+use tower_lsp_server::ls_types::{CodeAction, ExecuteCommandParams, LSPAny};
 use tower_lsp_server::ls_types::{
     CodeActionParams, CodeActionResponse, DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
     DidChangeWorkspaceFoldersParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams,
@@ -25,6 +27,9 @@ use tower_lsp_server::ls_types::{
     RelatedFullDocumentDiagnosticReport, RelatedUnchangedDocumentDiagnosticReport, ServerInfo, SetTraceParams, TextDocumentIdentifier,
     UnchangedDocumentDiagnosticReport, Uri,
 };
+
+/// The number of the protocol for a request that was fine, but failed.
+const REQUEST_FAILED: i64 = -32803;
 
 /// The handlers.
 #[derive(Clone, Debug)]
@@ -52,7 +57,12 @@ pub(super) struct TextResult {
     text: String,
 }
 
-fn not_open() -> Error {
+/// A request that could not be done, for a reason that a person understands.
+pub(super) fn failed(why: &str) -> Error {
+    Error { code: ErrorCode::ServerError(REQUEST_FAILED), message: why.to_string().into(), data: None }
+}
+
+pub(super) fn not_open() -> Error {
     Error::invalid_params("the document is not open")
 }
 
@@ -162,6 +172,7 @@ impl LanguageServer for Backend {
             self.shared.clear(&uri);
         }
         let Some((key, source)) = unit else { return };
+        self.shared.forget_study(&uri);
         if let Some(unit) = state.units.get_mut(&key).filter(|_| source == Source::Program) {
             unit.uri = None;
         }
@@ -215,8 +226,31 @@ impl LanguageServer for Backend {
     async fn code_action(&self, params: CodeActionParams) -> Result<Option<CodeActionResponse>> {
         let Some((latest, client)) = self.latest(&params.text_document.uri)? else { return Ok(None) };
         let outcome = latest.wait().await.ok_or_else(Error::internal_error)?;
-        let report = Some(&outcome.main).filter(|report| report.text.uri.as_ref() == Some(&params.text_document.uri));
-        Ok(report.map(|report| actions::quick_fixes(report, &params, client)))
+        if outcome.main.text.uri.as_ref() != Some(&params.text_document.uri) {
+            return Ok(None);
+        }
+        let study = self.shared.study(&outcome);
+        let watch = self.shared.watch(&params.text_document.uri);
+        let work = move |watch: &Watch| actions::list(&study, &params, client, watch);
+        self.thought(watch, work).await.map(Some)
+    }
+
+    async fn execute_command(&self, params: ExecuteCommandParams) -> Result<Option<LSPAny>> {
+        self.execute(params).await
+    }
+
+    async fn code_action_resolve(&self, mut action: CodeAction) -> Result<CodeAction> {
+        let Some(data) = actions::data(&action) else { return Ok(action) };
+        let (outcome, client) = self.as_it_was(&data.uri, data.version).await?;
+        let study = self.shared.study(&outcome);
+        let watch = self.shared.watch(&data.uri);
+        let shared = watch.clone();
+        let found = self.thought(watch, move |_| actions::resolve(&study, &data, &shared)).await?;
+        let found = found.filter(|found| !found.edits.is_empty());
+        let found = found.ok_or_else(|| failed("nothing was found that leaves fewer errors"))?;
+        let text = &outcome.main.text;
+        action.edit = Some(actions::annotated_edit(text, &found.edits, &action.title, found.moves, client));
+        Ok(action)
     }
 }
 
@@ -234,11 +268,29 @@ impl Backend {
     }
 
     /// What there is to say about an open document; `None` about one that nobody looks at.
-    fn latest(&self, uri: &Uri) -> Result<Option<(Latest, Client)>> {
+    pub(super) fn latest(&self, uri: &Uri) -> Result<Option<(Latest, Client)>> {
         if !self.shared.state().documents.contains_key(uri) {
             return Err(not_open());
         }
         Ok(self.shared.latest(uri))
+    }
+
+    /// What there is to say about a version of a document, if that is still the newest.
+    pub(super) async fn as_it_was(&self, uri: &Uri, version: Option<i32>) -> Result<(Arc<Outcome>, Client)> {
+        let Some((latest, client)) = self.latest(uri)? else { return Err(not_open()) };
+        let outcome = latest.wait().await.ok_or_else(Error::internal_error)?;
+        let same = outcome.main.text.version == version && outcome.main.text.uri.as_ref() == Some(uri);
+        if same { Ok((outcome, client)) } else { Err(Error::content_modified()) }
+    }
+
+    /// Has work done beside the runs; an edit of the document ends it.
+    pub(super) async fn thought<T: Send + 'static>(&self, watch: Arc<Watch>, work: impl FnOnce(&Watch) -> T + Send + 'static) -> Result<T> {
+        let result = self.shared.think(watch.clone(), work).await;
+        match result {
+            _ if watch.cancelled.load(Ordering::Relaxed) => Err(Error::content_modified()),
+            Some(result) => Ok(result),
+            None => Err(Error::internal_error()),
+        }
     }
 
     /// Does what follows from a document having become another.

@@ -26,11 +26,15 @@ mod lookout;
 mod moved;
 mod output;
 mod params;
+mod progress;
 mod reading;
+mod requests;
 mod run;
 mod settings;
 mod shared;
 mod state;
+mod study;
+mod think;
 mod transport;
 mod view;
 mod watch;
@@ -76,8 +80,12 @@ pub fn serve(options: &Options) -> io::Result<End> {
     shared.start()?;
     let ending = Arc::new(AtomicBool::new(false));
     let backend = |client| Backend { shared, client, ending: ending.clone(), refresh: watch::Refresh::default(), lookout: Arc::default() };
-    let (service, socket) =
-        LspService::build(backend).custom_method("psdl/text", Backend::text).custom_method("$/setTrace", Backend::set_trace).finish();
+    let (service, socket) = LspService::build(backend)
+        .custom_method("psdl/text", Backend::text)
+        .custom_method("psdl/fix", Backend::fix)
+        .custom_method("window/workDoneProgress/cancel", Backend::cancel_progress)
+        .custom_method("$/setTrace", Backend::set_trace)
+        .finish();
     tracing::info!("psdl {} serves", env!("CARGO_PKG_VERSION"));
     transport::serve(io::stdin().lock(), &output, service, socket, runtime.handle());
     runtime.shutdown_background();

@@ -3,7 +3,7 @@
 use super::client::Client;
 use super::diagnostics::{self, Item, Report, Writer};
 use super::document::{Role, template_of};
-use crate::analysis::{self, Analysis, Input, Prepared};
+use crate::analysis::{self, Analysis, Input, Options, Prepared};
 use crate::check::finding::{Code, Finding, Place, Source};
 use crate::config::{ConfigError, Resolved, Resolver};
 use crate::ide::{Program, Scene};
@@ -66,6 +66,10 @@ pub(super) struct Outcome {
     pub config: Option<Report>,
     /// The files of the configuration that holds.
     pub config_files: Vec<PathBuf>,
+    /// What holds for the program.
+    pub options: Options,
+    /// Whether the program could be run.
+    pub ran: bool,
     /// The program, read.
     pub program: Option<Arc<Program>>,
     /// What is kept of a program that could be run.
@@ -119,7 +123,16 @@ fn configuration(job: &Job) -> Outcome {
         Some(Err(error)) if Some(&error.path) == job.path.as_ref() => diagnostics::configuration(&error, &text, job.client),
         _ => Vec::new(),
     };
-    Outcome { main: Report::new(text, items), template: None, config: None, config_files: Vec::new(), program: None, fresh: None }
+    Outcome {
+        main: Report::new(text, items),
+        template: None,
+        config: None,
+        config_files: Vec::new(),
+        options: Options::default(),
+        ran: false,
+        program: None,
+        fresh: None,
+    }
 }
 
 fn program(job: &Job) -> Option<Outcome> {
@@ -166,7 +179,9 @@ fn program(job: &Job) -> Option<Outcome> {
         template: template.map(|template| Report::new(template, about_template)),
         config,
         config_files: files,
+        options,
         program: read,
+        ran: fresh.is_some(),
         fresh,
     })
 }

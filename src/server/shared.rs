@@ -8,6 +8,9 @@ use super::diagnostics::Report;
 use super::output::Output;
 use super::run::{self, Job, Outcome};
 use super::state::{Key, State};
+use super::study::Studies;
+use super::think::Desk;
+use crate::repair::Watch;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -23,6 +26,10 @@ const MAX_BACKLOG: usize = 32 << 20;
 pub(super) struct Shared {
     state: Mutex<State>,
     work: Condvar,
+    /// Work for requests.
+    pub desk: Desk,
+    /// What is known about some texts.
+    pub studies: Studies,
     pub output: Output,
 }
 
@@ -41,7 +48,7 @@ impl std::fmt::Debug for Shared {
 
 impl Shared {
     pub(super) fn new(output: Output) -> Shared {
-        Shared { state: Mutex::default(), work: Condvar::new(), output }
+        Shared { state: Mutex::default(), work: Condvar::new(), desk: Desk::default(), studies: Studies::default(), output }
     }
 
     /// The state. A panic under the lock leaves it as it is: each change of it is complete by itself.
@@ -66,7 +73,7 @@ impl Shared {
             };
             std::thread::Builder::new().name(format!("worker {index}")).stack_size(STACK).spawn(work)?;
         }
-        Ok(())
+        self.start_thinking(STACK)
     }
 
     /// Waits for a job and does it.
@@ -193,6 +200,18 @@ impl Shared {
         let params = format!("{{\"uri\":\"{}\",{version}\"diagnostics\":{}}}", uri.as_str(), report.json);
         let message = format!("{{\"jsonrpc\":\"2.0\",\"method\":\"textDocument/publishDiagnostics\",\"params\":{params}}}");
         self.output.send_body(message.into_bytes());
+    }
+
+    /// A watch over work about an open document; the next edit of it ends the work.
+    pub(super) fn watch(&self, uri: &Uri) -> Arc<Watch> {
+        let watch = Arc::new(Watch::default());
+        let mut state = self.state();
+        let key = state.documents.get(uri).and_then(|document| state.unit_of(document));
+        if let Some(unit) = key.and_then(|(key, _)| state.units.get_mut(&key)) {
+            unit.asked.retain(|asked| asked.strong_count() > 0);
+            unit.asked.push(Arc::downgrade(&watch));
+        }
+        watch
     }
 
     /// What there is to say about the unit of an open document as it is now.

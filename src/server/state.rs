@@ -10,15 +10,16 @@ use super::settings::Settings;
 use crate::check::finding::Source;
 use crate::config::Resolver;
 use crate::ide::Scene;
+use crate::repair::Watch;
 use ropey::Rope;
 use rustc_hash::FxHashMap;
 use std::collections::VecDeque;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Weak};
 use tokio::sync::oneshot;
-use tower_lsp_server::ls_types::{TraceValue, Uri};
+use tower_lsp_server::ls_types::{ProgressToken, TraceValue, Uri};
 
 /// What a unit of work is called: a file by its path, whatever the client calls it; anything else by its name.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
@@ -47,6 +48,8 @@ pub(super) struct Unit {
     pub scene: Option<Arc<Scene>>,
     /// Who waits for the next outcome.
     pub waiting: Vec<oneshot::Sender<Arc<Outcome>>>,
+    /// Work for requests about the text as it is.
+    pub asked: Vec<Weak<Watch>>,
 }
 
 /// Everything.
@@ -61,6 +64,8 @@ pub(super) struct State {
     pub resolver: Arc<Resolver<'static>>,
     /// What was last published unasked about documents that are not programs.
     pub published: FxHashMap<Uri, (Option<i32>, String)>,
+    /// Work that ends when its progress is cancelled.
+    pub tokens: Vec<(ProgressToken, Weak<Watch>)>,
     count: u64,
 }
 
@@ -89,6 +94,7 @@ impl Default for State {
             queue: VecDeque::new(),
             resolver: Arc::new(Resolver::new(read_config)),
             published: FxHashMap::default(),
+            tokens: Vec::new(),
             count: 0,
         }
     }
@@ -131,14 +137,24 @@ impl State {
             kept: Vec::new(),
             scene: None,
             waiting: Vec::new(),
+            asked: Vec::new(),
         })
+    }
+
+    /// A number that was not given yet.
+    pub(super) fn number(&mut self) -> u64 {
+        self.count += 1;
+        self.count
     }
 
     /// Asks for a new run and cancels the one that is under way. What is asked for in a hurry goes before the rest.
     pub(super) fn schedule(&mut self, key: &Key, hurry: bool) {
-        self.count += 1;
+        let wanted = self.number();
         let Some(unit) = self.units.get_mut(key) else { return };
-        unit.wanted = self.count;
+        unit.wanted = wanted;
+        for watch in unit.asked.drain(..).filter_map(|asked| asked.upgrade()) {
+            watch.cancelled.store(true, Ordering::Relaxed);
+        }
         if let Some(running) = &unit.running {
             running.store(true, Ordering::Relaxed);
         }
