@@ -9,6 +9,7 @@ pub mod cli;
 pub mod config;
 pub mod ide;
 pub mod python;
+pub mod render;
 pub mod repair;
 pub mod report;
 pub mod scene;

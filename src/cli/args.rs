@@ -37,6 +37,8 @@ pub enum Command {
     Fix(super::fix::FixArgs),
     /// Run a program and print what it prints.
     Run(RunArgs),
+    /// Draw scenes: from above, in perspective, with their errors where they are.
+    Render(super::render::RenderArgs),
     /// Write the layout of a program in another format.
     Export(ExportArgs),
     /// Explain a kind of finding.

@@ -21,6 +21,7 @@ mod generate;
 mod lsp;
 mod output;
 mod progress;
+mod render;
 mod run;
 mod traceback;
 mod version;
@@ -65,6 +66,7 @@ fn dispatch(args: Args) -> Result<Outcome, Failure> {
         Some(Command::Check(args)) => check::check(&args, color, errors),
         Some(Command::Fix(args)) => with_stack(|| fix::fix(&args, color)),
         Some(Command::Run(args)) => with_stack(|| run::run(&args, errors)),
+        Some(Command::Render(args)) => with_stack(|| render::render(&args, errors)),
         Some(Command::Export(args)) => with_stack(|| export::export(&args, errors)),
         Some(Command::Explain(args)) => explain::explain(&args),
         Some(Command::Config(args)) => configuration::show(&args, errors),

@@ -1,0 +1,230 @@
+//! `psdl render`: pictures of scenes.
+
+use super::Outcome;
+use super::args::ConfigOptions;
+use super::configuration::Configuration;
+use super::files::{self, Loaded};
+use super::output::{self, Failure};
+use crate::analysis::{Analysis, Input, analyse};
+use crate::check::finding::Code;
+use crate::render::{Drawing, Labels, Options, Picture, SIZES, Theme, View, draw};
+use crate::report::{FileReport, Printer};
+use clap::{ValueEnum, ValueHint};
+use std::path::{Path, PathBuf};
+
+/// `psdl render`
+#[derive(clap::Args, Debug)]
+#[command(after_help = "Exit status: 0 if all was drawn, 1 if a program has an error or raised (then what could be placed is drawn), \
+                        2 if the work could not be done.")]
+pub struct RenderArgs {
+    /// The programs, or folders of them; `-` is standard input.
+    #[arg(required = true, value_name = "FILE", value_hint = ValueHint::AnyPath)]
+    files: Vec<PathBuf>,
+
+    /// Where to write: a file ending in .png or .svg, a folder for several programs, or `-` for standard output.
+    #[arg(short, long, value_name = "OUT", value_hint = ValueHint::AnyPath)]
+    output: PathBuf,
+
+    /// The format; without it the ending of OUT tells it, else it is png.
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    format: Option<PictureFormat>,
+
+    /// From where the scene is seen.
+    #[arg(long, value_enum, default_value_t, value_name = "VIEW")]
+    view: ViewName,
+
+    /// Width and height in pixels.
+    #[arg(long, value_parser = size, default_value = "1600x1000", value_name = "WxH")]
+    size: (u32, u32),
+
+    /// Draw the layout errors where they are, and list them, worst first.
+    #[arg(long)]
+    errors: bool,
+
+    /// Which objects are named.
+    #[arg(long, value_enum, default_value_t, value_name = "WHICH")]
+    labels: LabelsName,
+
+    /// The colours of the page.
+    #[arg(long, value_enum, default_value_t, value_name = "THEME")]
+    theme: ThemeName,
+
+    /// Point out this object, as the program names it.
+    #[arg(long, value_name = "OBJECT")]
+    highlight: Option<String>,
+
+    /// Also write OUT.ids.png: at each pixel the number of the object that is seen there, from 1 in the order of declaration, as a 16-bit grey.
+    #[arg(long)]
+    id_mask: bool,
+
+    #[allow(missing_docs)]
+    #[command(flatten)]
+    options: ConfigOptions,
+}
+
+/// The formats of pictures.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+enum PictureFormat {
+    /// Pixels.
+    Png,
+    /// Vectors; each object is a group with its number.
+    Svg,
+}
+
+/// The views.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug, Default)]
+enum ViewName {
+    /// A plan.
+    Top,
+    /// From the front right.
+    Perspective,
+    /// Both.
+    #[default]
+    Both,
+}
+
+/// Which objects are named.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug, Default)]
+enum LabelsName {
+    /// None.
+    None,
+    /// Those with room for it, and those with errors.
+    #[default]
+    Some,
+    /// All that find a place for it.
+    All,
+}
+
+/// The themes.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug, Default)]
+enum ThemeName {
+    /// Dark on white.
+    #[default]
+    Light,
+    /// Light on near black.
+    Dark,
+}
+
+/// Reads `1600x1000`.
+fn size(text: &str) -> Result<(u32, u32), String> {
+    let parts = text.split_once(['x', 'X', '×']);
+    match parts.map(|(width, height)| (width.trim().parse(), height.trim().parse())) {
+        Some((Ok(width), Ok(height))) if SIZES.contains(&width) && SIZES.contains(&height) => Ok((width, height)),
+        _ => Err(format!("a size looks like 1600x1000, each number from {} to {}", SIZES.start(), SIZES.end())),
+    }
+}
+
+pub(super) fn render(args: &RenderArgs, color: bool) -> Result<Outcome, Failure> {
+    let programs = files::programs(&args.files, None, &|_| Ok(false))?;
+    let configuration = Configuration::new(&args.options, color);
+    let to_stdout = args.output.as_os_str() == "-";
+    let into_folder = !to_stdout && (args.output.is_dir() || programs.len() > 1);
+    if programs.len() > 1 && (to_stdout || args.output.is_file()) {
+        return Err(Failure::new("several programs need a folder to write to"));
+    }
+    if args.id_mask && to_stdout {
+        return Err(Failure::new("--id-mask needs a file to write beside"));
+    }
+    if into_folder {
+        std::fs::create_dir_all(&args.output).map_err(|error| Failure::at(&args.output, &error))?;
+    }
+    let mut outcome = Outcome::Clean;
+    for program in &programs {
+        let loaded = program.load();
+        let (text, template) = loaded.texts()?;
+        let options = configuration.options(program.path())?;
+        let analysis = analyse(&Input { text, template: template.map(|(_, text)| text) }, &options, None);
+        if analysis.partial || analysis.layout.is_none() {
+            outcome = Outcome::Findings;
+            complain(&loaded, &analysis, color)?;
+        }
+        let Some(layout) = &analysis.layout else { continue };
+        let picture = Picture { layout, verdict: &analysis.verdict, rules: &options.rules };
+        let drawing = draw(&picture, &args.options(&analysis)?);
+        let path = if into_folder { args.output.join(name_in_folder(program.path(), args)) } else { args.output.clone() };
+        write(args, &drawing, (!to_stdout).then_some(path.as_path()))?;
+    }
+    Ok(outcome)
+}
+
+/// `NAME.png` for `NAME.psdl`.
+fn name_in_folder(program: &Path, args: &RenderArgs) -> PathBuf {
+    let stem = program.file_stem().filter(|_| program.extension().is_some()).unwrap_or("picture".as_ref());
+    let ending = if args.format == Some(PictureFormat::Svg) { "svg" } else { "png" };
+    let mut name = stem.to_os_string();
+    name.push(".");
+    name.push(ending);
+    name.into()
+}
+
+impl RenderArgs {
+    fn options(&self, analysis: &Analysis) -> Result<Options, Failure> {
+        let highlight = match &self.highlight {
+            None => None,
+            Some(path) => {
+                let objects = analysis.layout.iter().flat_map(|layout| &layout.objects);
+                let index = objects.clone().position(|object| object.path == *path);
+                let index = index.ok_or_else(|| Failure::new(format!("there is no object {path}")))?;
+                Some(crate::scene::ObjectId(index as u32))
+            }
+        };
+        let view = match self.view {
+            ViewName::Top => View::Top,
+            ViewName::Perspective => View::Perspective,
+            ViewName::Both => View::Both,
+        };
+        let labels = match self.labels {
+            LabelsName::None => Labels::None,
+            LabelsName::Some => Labels::Some,
+            LabelsName::All => Labels::All,
+        };
+        let theme = if self.theme == ThemeName::Dark { Theme::Dark } else { Theme::Light };
+        Ok(Options { view, size: self.size, theme, labels, errors: self.errors, captions: true, highlight })
+    }
+
+    fn format(&self, path: Option<&Path>) -> Result<PictureFormat, Failure> {
+        let ending = path.and_then(Path::extension).map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+        match (self.format, ending.as_deref()) {
+            (Some(format), _) => Ok(format),
+            (None, Some("svg")) => Ok(PictureFormat::Svg),
+            (None, Some("png") | None) => Ok(PictureFormat::Png),
+            (None, Some(other)) => Err(Failure::new(format!("{other} is no format for pictures; write to .png or .svg, or say --format"))),
+        }
+    }
+}
+
+fn write(args: &RenderArgs, drawing: &Drawing, path: Option<&Path>) -> Result<(), Failure> {
+    let bytes = match args.format(path)? {
+        PictureFormat::Png => drawing.to_png(),
+        PictureFormat::Svg => drawing.to_svg().into_bytes(),
+    };
+    let Some(path) = path else {
+        return output::write(&bytes).map(|_| ());
+    };
+    output::write_file(path, &bytes)?;
+    if args.id_mask {
+        output::write_file(&path.with_extension("ids.png"), &drawing.id_mask_png())?;
+    }
+    Ok(())
+}
+
+/// Says why a program could not be run, or not to its end.
+fn complain(loaded: &Loaded, analysis: &Analysis, color: bool) -> Result<(), Failure> {
+    let (text, template) = loaded.texts()?;
+    let findings: Vec<_> = analysis.findings.iter().filter(|finding| finding.code < Code::OutOfBounds).cloned().collect();
+    let objects = analysis.object_names();
+    let file = FileReport { path: &loaded.path, text, template, findings: &findings, objects: &objects };
+    output::report_error(&Printer { color, ..Printer::default() }.file(&file));
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_size_is_two_numbers() {
+        assert_eq!(size("320x240"), Ok((320, 240)));
+        assert!(["320", "0x10", "9x", "100000x10", "-5x5"].iter().all(|text| size(text).is_err()));
+    }
+}
