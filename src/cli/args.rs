@@ -125,6 +125,10 @@ pub struct CheckArgs {
     #[arg(long)]
     pub statistics: bool,
 
+    /// Show a picture of each scene with findings, and of a scene that is checked alone; without a word, on terminals only.
+    #[arg(long, value_enum, value_name = "HOW", num_args = 0..=1, default_missing_value = "auto", require_equals = true)]
+    pub picture: Option<super::picture::PictureChoice>,
+
     /// The name of the program on standard input: its place decides about the template and the configuration.
     #[arg(long, value_name = "PATH", value_hint = ValueHint::FilePath)]
     pub stdin_filename: Option<PathBuf>,

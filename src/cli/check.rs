@@ -5,6 +5,7 @@ use super::baseline::{self, Baseline};
 use super::configuration::Configuration;
 use super::files::{Loaded, Program, Trouble, programs};
 use super::output::{self, Failure};
+use super::picture::Screen;
 use super::progress::Progress;
 use super::watch::Lookout;
 use super::{Outcome, STACK, changed};
@@ -37,6 +38,7 @@ struct Checker<'a> {
     printer: Printer,
     configuration: Configuration,
     baseline: Option<Baseline>,
+    screen: Option<Screen>,
     pool: rayon::ThreadPool,
 }
 
@@ -47,6 +49,7 @@ pub(super) fn check(args: &CheckArgs, color: bool, error_color: bool) -> Result<
         printer: Printer { format: args.format, color: color && args.format == Format::Text, statistics: args.statistics },
         configuration: Configuration::new(&args.options, error_color),
         baseline: args.baseline.as_deref().map(Baseline::read).transpose()?,
+        screen: args.picture.filter(|_| args.format == Format::Text).and_then(Screen::of),
         pool: pool.map_err(|error| Failure::new(format!("threads could not be started: {error}")))?,
     };
     if !args.watch {
@@ -88,8 +91,9 @@ impl Checker<'_> {
         let mut progress = Progress::new(programs.len());
         report.write(&self.printer.head())?;
         for batch in programs.chunks(BATCH) {
-            let pieces =
-                self.pool.install(|| batch.par_iter().map(|program| self.piece(program)).collect::<Result<Vec<Piece>, Failure>>())?;
+            let pieces = self.pool.install(|| {
+                batch.par_iter().map(|program| self.piece(program, programs.len() == 1)).collect::<Result<Vec<Piece>, Failure>>()
+            })?;
             progress.advance(batch.len());
             progress.around(|| report.add(pieces))?;
             // Without a reader the work goes on only for what is written elsewhere.
@@ -116,11 +120,11 @@ impl Checker<'_> {
         Ok(if report.summary.fails() && !self.args.exit_zero { Outcome::Findings } else { Outcome::Clean })
     }
 
-    fn piece(&self, program: &Program) -> Result<Piece, Failure> {
+    fn piece(&self, program: &Program, alone: bool) -> Result<Piece, Failure> {
         let options = self.configuration.options(program.path())?;
         let loaded = program.load();
         let unreadable = matches!(loaded.text, Err(Trouble::Io(_)));
-        let (text, template, mut findings, objects) = findings(&loaded, &options);
+        let (text, template, mut findings, objects, picture) = findings(&loaded, &options, self.screen);
         findings.retain(|finding| self.keeps(finding.code));
         if self.args.suggest && findings.iter().any(|finding| finding.code.is_layout()) {
             let input = Input { text, template: template.map(|(_, text)| text) };
@@ -140,7 +144,10 @@ impl Checker<'_> {
         let file = FileReport { findings: sifted.as_ref().unwrap_or(&findings), ..file };
         let mut summary = Summary::default();
         summary.add(file.findings);
-        let text = self.printer.file(&file);
+        let mut text = self.printer.file(&file);
+        if alone || !text.is_empty() {
+            text.push_str(&picture);
+        }
         Ok(Piece { text, summary, unreadable, remembered, fixed, path: loaded.path.clone() })
     }
 }
@@ -184,15 +191,15 @@ impl Report {
     }
 }
 
-type Found<'a> = (&'a str, Option<(&'a String, &'a str)>, Vec<Finding>, Vec<String>);
+type Found<'a> = (&'a str, Option<(&'a String, &'a str)>, Vec<Finding>, Vec<String>, String);
 
-/// The findings of a program, with the texts that they are about.
-fn findings<'a>(loaded: &'a Loaded, options: &Options) -> Found<'a> {
+/// The findings of a program, with the texts that they are about, and a picture if one is wanted.
+fn findings<'a>(loaded: &'a Loaded, options: &Options, screen: Option<Screen>) -> Found<'a> {
     let text = match &loaded.text {
         Ok(text) => text,
         Err(trouble) => {
             let (text, place, message) = trouble.describe("the file");
-            return (text, None, vec![Finding::new(Code::Unreadable, Place::program(place), message)], Vec::new());
+            return (text, None, vec![Finding::new(Code::Unreadable, Place::program(place), message)], Vec::new(), String::new());
         }
     };
     let template = match &loaded.template {
@@ -201,13 +208,14 @@ fn findings<'a>(loaded: &'a Loaded, options: &Options) -> Found<'a> {
         Some((path, Err(trouble))) => {
             let (template, place, message) = trouble.describe("the template");
             let finding = Finding::new(Code::Unreadable, Place { source: Source::Template, range: place }, message);
-            return (text, Some((path, template)), vec![finding], Vec::new());
+            return (text, Some((path, template)), vec![finding], Vec::new(), String::new());
         }
     };
     let input = Input { text, template: template.map(|(_, text)| text) };
     let analysis = analysis::analyse(&input, options, None);
     let objects = analysis.object_names();
-    (text, template, analysis.findings, objects)
+    let picture = screen.map_or(String::new(), |screen| screen.show(&analysis, options));
+    (text, template, analysis.findings, objects, picture)
 }
 
 impl Trouble {

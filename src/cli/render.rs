@@ -4,6 +4,7 @@ use super::Outcome;
 use super::args::ConfigOptions;
 use super::configuration::Configuration;
 use super::files::{self, Loaded};
+use super::film;
 use super::output::{self, Failure};
 use crate::analysis::{Analysis, Input, analyse};
 use crate::check::finding::Code;
@@ -22,8 +23,12 @@ pub struct RenderArgs {
     files: Vec<PathBuf>,
 
     /// Where to write: a file ending in .png or .svg, a folder for several programs, or `-` for standard output.
-    #[arg(short, long, value_name = "OUT", value_hint = ValueHint::AnyPath)]
-    output: PathBuf,
+    #[arg(short, long, value_name = "OUT", value_hint = ValueHint::AnyPath, required_unless_present = "animate")]
+    output: Option<PathBuf>,
+
+    /// Film the correction of one program, edit by edit, to a file ending in .gif, .apng, .png or .webp.
+    #[arg(long, value_name = "OUT", value_hint = ValueHint::FilePath)]
+    animate: Option<PathBuf>,
 
     /// The format; without it the ending of OUT tells it, else it is png.
     #[arg(long, value_enum, value_name = "FORMAT")]
@@ -37,7 +42,7 @@ pub struct RenderArgs {
     #[arg(long, value_parser = size, default_value = "1600x1000", value_name = "WxH")]
     size: (u32, u32),
 
-    /// Draw the layout errors where they are, and list them, worst first.
+    /// Draw the layout errors where they are, and list them, worst first; films always do.
     #[arg(long)]
     errors: bool,
 
@@ -117,34 +122,65 @@ fn size(text: &str) -> Result<(u32, u32), String> {
 pub(super) fn render(args: &RenderArgs, color: bool) -> Result<Outcome, Failure> {
     let programs = files::programs(&args.files, None, &|_| Ok(false))?;
     let configuration = Configuration::new(&args.options, color);
-    let to_stdout = args.output.as_os_str() == "-";
-    let into_folder = !to_stdout && (args.output.is_dir() || programs.len() > 1);
-    if programs.len() > 1 && (to_stdout || args.output.is_file()) {
-        return Err(Failure::new("several programs need a folder to write to"));
+    if args.animate.is_some() && programs.len() != 1 {
+        return Err(Failure::new("--animate takes one program"));
     }
-    if args.id_mask && to_stdout {
-        return Err(Failure::new("--id-mask needs a file to write beside"));
-    }
-    if into_folder {
-        std::fs::create_dir_all(&args.output).map_err(|error| Failure::at(&args.output, &error))?;
-    }
+    let target = Target::of(args, programs.len())?;
     let mut outcome = Outcome::Clean;
     for program in &programs {
         let loaded = program.load();
         let (text, template) = loaded.texts()?;
         let options = configuration.options(program.path())?;
-        let analysis = analyse(&Input { text, template: template.map(|(_, text)| text) }, &options, None);
+        let input = Input { text, template: template.map(|(_, text)| text) };
+        let analysis = analyse(&input, &options, None);
         if analysis.partial || analysis.layout.is_none() {
             outcome = Outcome::Findings;
             complain(&loaded, &analysis, color)?;
         }
         let Some(layout) = &analysis.layout else { continue };
+        let picture_options = args.options(&analysis)?;
+        if let Some(path) = &args.animate {
+            film::film(path, &input, &options, &picture_options)?;
+        }
+        let path = match &target {
+            Target::Nothing => continue,
+            Target::Stdout => None,
+            Target::File(path) => Some(path.clone()),
+            Target::Folder(folder) => Some(folder.join(name_in_folder(program.path(), args))),
+        };
         let picture = Picture { layout, verdict: &analysis.verdict, rules: &options.rules };
-        let drawing = draw(&picture, &args.options(&analysis)?);
-        let path = if into_folder { args.output.join(name_in_folder(program.path(), args)) } else { args.output.clone() };
-        write(args, &drawing, (!to_stdout).then_some(path.as_path()))?;
+        write(args, &draw(&picture, &picture_options), path.as_deref())?;
     }
     Ok(outcome)
+}
+
+/// Where pictures go.
+enum Target {
+    Nothing,
+    Stdout,
+    File(PathBuf),
+    Folder(PathBuf),
+}
+
+impl Target {
+    fn of(args: &RenderArgs, programs: usize) -> Result<Target, Failure> {
+        let Some(path) = &args.output else { return Ok(Target::Nothing) };
+        let stdout = path.as_os_str() == "-";
+        if programs > 1 && (stdout || path.is_file()) {
+            return Err(Failure::new("several programs need a folder to write to"));
+        }
+        if stdout && args.id_mask {
+            return Err(Failure::new("--id-mask needs a file to write beside"));
+        }
+        if stdout {
+            return Ok(Target::Stdout);
+        }
+        if programs == 1 && !path.is_dir() {
+            return Ok(Target::File(path.clone()));
+        }
+        std::fs::create_dir_all(path).map_err(|error| Failure::at(path, &error))?;
+        Ok(Target::Folder(path.clone()))
+    }
 }
 
 /// `NAME.png` for `NAME.psdl`.
@@ -179,7 +215,8 @@ impl RenderArgs {
             LabelsName::All => Labels::All,
         };
         let theme = if self.theme == ThemeName::Dark { Theme::Dark } else { Theme::Light };
-        Ok(Options { view, size: self.size, theme, labels, errors: self.errors, captions: true, highlight })
+        let errors = self.errors || self.animate.is_some();
+        Ok(Options { view, size: self.size, theme, labels, errors, captions: true, highlight })
     }
 
     fn format(&self, path: Option<&Path>) -> Result<PictureFormat, Failure> {

@@ -13,6 +13,7 @@
 mod camera;
 pub mod colour;
 mod drawing;
+pub mod film;
 pub mod font;
 mod labels;
 mod marks;
@@ -21,15 +22,18 @@ mod page;
 mod paint;
 mod panel;
 mod raster;
+pub mod reel;
 mod shadow;
 mod solid;
 mod stage;
 mod svg;
+mod terminal;
 pub mod text;
 
 pub use drawing::{Align, Contour, Drawing, Item, Paint, Part, Point, Shape, Stroke, Text};
 pub use page::draw;
 pub use raster::Pixels;
+pub use terminal::Protocol;
 
 use crate::check::{Rules, Verdict};
 use crate::scene::{Layout, ObjectId};

@@ -8,6 +8,7 @@ use crate::scene::Layout;
 use super::camera::{Area, Camera};
 use super::colour::{Ink, Rgb};
 use super::drawing::{Align, Drawing, Part, Stroke, Text};
+use super::film::Edit;
 use super::font::Face;
 use super::labels::{Board, Wish};
 use super::marks::Marker;
@@ -26,8 +27,33 @@ const LONGEST_NAME: f32 = 14.0;
 /// Errors beyond these are listed as a number, and not drawn.
 const MOST_MARKS: usize = 600;
 
+/// What a page of a film has besides.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Extra<'a> {
+    /// This has to be in the picture too, so that the camera stands still.
+    pub keep: Option<Cuboid>,
+    /// The edit under way; with one there is always a list of errors.
+    pub caption: Option<Caption<'a>>,
+}
+
+/// An edit of a correction.
+#[derive(Clone, Copy, Debug)]
+pub struct Caption<'a> {
+    /// Which of the edits, from 1; 0 before the first.
+    pub number: usize,
+    /// How many there are.
+    pub count: usize,
+    /// The line before and after.
+    pub edit: Option<&'a Edit>,
+}
+
 /// Draws a picture.
 pub fn draw(picture: &Picture, options: &Options) -> Drawing {
+    draw_with(picture, options, &Extra::default())
+}
+
+/// Draws a page of a film.
+pub fn draw_with(picture: &Picture, options: &Options, extra: &Extra) -> Drawing {
     let [width, height] = [options.size.0, options.size.1].map(|side| side.clamp(*SIZES.start(), *SIZES.end()));
     let ink = options.theme.ink();
     let mut out = Drawing::new(width, height, ink.paper);
@@ -35,11 +61,20 @@ pub fn draw(picture: &Picture, options: &Options) -> Drawing {
     out.names = picture.layout.objects.iter().map(|object| fitted(&object.path, Face::Sans, 10.0, 600.0)).collect();
     let space = Space::of(picture.layout);
     let errors = if options.errors { worst_first(picture.verdict) } else { Vec::new() };
-    let page = Page::of(width as f32, height as f32, &space, options, !errors.is_empty());
+    let listed = !errors.is_empty() || (options.errors && extra.caption.is_some());
+    let page = Page::of(width as f32, height as f32, &space, options, listed, extra.caption.is_some());
     page.title(&mut out, &space, options, &ink);
+    page.caption(&mut out, extra.caption, &ink);
     let numbered = page.panel.as_ref().map_or(0, |panel| panel.shows(errors.len()));
-    let content =
-        Content { picture, options, space: &space, errors: &errors, numbered, shadows: shadows(&solid_ones(&space), &space.floor()) };
+    let content = Content {
+        picture,
+        options,
+        space: &space,
+        errors: &errors,
+        numbered,
+        keep: extra.keep,
+        shadows: shadows(&solid_ones(&space), &space.floor()),
+    };
     for (perspective, area) in &page.views {
         content.view(&mut out, *perspective, *area, page.unit);
     }
@@ -62,10 +97,11 @@ struct Page {
     /// Whether in perspective, and where.
     views: Vec<(bool, Area)>,
     panel: Option<Panel>,
+    caption: Option<Area>,
 }
 
 impl Page {
-    fn of(width: f32, height: f32, space: &Space, options: &Options, errors: bool) -> Page {
+    fn of(width: f32, height: f32, space: &Space, options: &Options, errors: bool, captioned: bool) -> Page {
         let unit = (width.min(height * 1.2) / 64.0).clamp(8.0, 17.0);
         let large = width >= 420.0 && height >= 300.0 && options.captions;
         let margin = if large { unit * 1.2 } else { (width.min(height) * 0.02).max(2.0) };
@@ -75,6 +111,11 @@ impl Page {
             let area = Area { at: rest.at, size: [rest.size[0], high] };
             rest = Area { at: [rest.at[0], rest.at[1] + high], size: [rest.size[0], rest.size[1] - high] };
             area
+        });
+        let caption = (large && captioned).then(|| {
+            let high = unit * 4.4;
+            rest.size[1] -= high;
+            Area { at: [rest.at[0], rest.at[1] + rest.size[1]], size: [rest.size[0], high] }
         });
         let panel = (large && errors).then(|| {
             let area = if width >= height * 1.25 {
@@ -88,7 +129,7 @@ impl Page {
             };
             Panel::new(area, unit)
         });
-        Page { unit, title, views: Page::views(rest, unit, space, options.view), panel }
+        Page { unit, title, views: Page::views(rest, unit, space, options.view), panel, caption }
     }
 
     fn views(rest: Area, unit: f32, space: &Space, view: View) -> Vec<(bool, Area)> {
@@ -118,6 +159,24 @@ impl Page {
                 ]
             }
         }
+    }
+
+    /// The edit under way, as lines of a diff.
+    fn caption(&self, out: &mut Drawing, caption: Option<Caption>, ink: &Ink) {
+        let (Some(area), Some(caption)) = (self.caption, caption) else { return };
+        let size = self.unit * 0.9;
+        let mut line = |row: usize, text: &str, face: Face, colour: Rgb| {
+            let at = [area.at[0], area.at[1] + self.unit * (1.2 + 1.45 * row as f32)];
+            let text = fitted(text, face, size, area.size[0]);
+            out.text(Part::Page, Text { at, align: Align::Start, text, size, face, colour, halo: None });
+        };
+        let Some(edit) = caption.edit else {
+            line(0, &format!("{} to come", counted(caption.count, "edit")), Face::Sans, ink.faint);
+            return;
+        };
+        line(0, &format!("Edit {} of {}, line {}", caption.number, caption.count, edit.line), Face::Sans, ink.faint);
+        line(1, &format!("- {}", edit.old.trim()), Face::Mono, ink.error);
+        line(2, &format!("+ {}", edit.new.trim()), Face::Mono, ink.good);
     }
 
     fn title(&self, out: &mut Drawing, space: &Space, options: &Options, ink: &Ink) {
@@ -159,6 +218,7 @@ struct Content<'a> {
     space: &'a Space<'a>,
     errors: &'a [Violation],
     numbered: usize,
+    keep: Option<Cuboid>,
     shadows: (Shadows, Vec<Shadows>),
 }
 
@@ -171,7 +231,8 @@ impl Content<'_> {
             around.max[2] = space.bounds.max[2];
         }
         let bodies = space.solids.iter().chain(&space.ghosts);
-        let seen_around = bodies.clone().fold(around, |around, solid| around.with(&solid.cuboid));
+        let kept = self.keep.unwrap_or(around);
+        let seen_around = bodies.clone().fold(around.with(&kept), |around, solid| around.with(&solid.cuboid));
         let border = if self.options.captions && unit > 8.5 { unit * 0.7 } else { 1.0 };
         let scale_room = if self.has_scale(area) { unit * 1.5 } else { 0.0 };
         let mut area = area.inset(border);
@@ -186,6 +247,9 @@ impl Content<'_> {
             seen.extend([[min[0] - t, min[1] - t, max[2]], [min[0] - t, max[1] + t, max[2]], [max[0] + t, max[1] + t, max[2]]]);
         }
         seen.extend(bodies.flat_map(|solid| solid.cuboid.corners()));
+        if let Some(kept) = self.keep {
+            seen.extend(kept.corners());
+        }
         Camera::perspective(&around.with(&seen_around), &seen, area)
     }
 
