@@ -7,6 +7,7 @@ pub mod analysis;
 pub mod check;
 pub mod cli;
 pub mod config;
+pub mod export;
 pub mod ide;
 pub mod python;
 pub mod render;

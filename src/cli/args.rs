@@ -41,6 +41,8 @@ pub enum Command {
     Render(super::render::RenderArgs),
     /// Write the layout of a program in another format.
     Export(ExportArgs),
+    /// Read a scene of another program, and write a flat program with the same scene.
+    Import(ImportArgs),
     /// Explain a kind of finding.
     Explain(ExplainArgs),
     /// Show what holds for a program, and where each value came from.
@@ -175,7 +177,7 @@ pub struct RunArgs {
 pub struct ExportArgs {
     /// The format to write.
     #[arg(long, value_enum, value_name = "FORMAT")]
-    pub to: ExportFormat,
+    pub to: crate::export::Format,
 
     /// The program; `-` is standard input.
     #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
@@ -190,19 +192,28 @@ pub struct ExportArgs {
     pub options: ConfigOptions,
 }
 
+/// `psdl import`
+#[derive(clap::Args, Debug)]
+pub struct ImportArgs {
+    /// The file; `-` is standard input.
+    #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub file: PathBuf,
+
+    /// The format of the file; told from what is in it if it is not said.
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub from: Option<crate::export::import::Source>,
+
+    /// Where to write the program; `-`, the default, is standard output.
+    #[arg(short, long, value_name = "OUT", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+}
+
 /// `psdl explain`
 #[derive(clap::Args, Debug)]
 pub struct ExplainArgs {
     /// The kind of finding, as `overlap`; without one they are listed.
     #[arg(value_name = "KIND")]
     pub kind: Option<String>,
-}
-
-/// The formats of `psdl export`.
-#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
-pub enum ExportFormat {
-    /// Layout JSON: boxes, facings, anchors and errors.
-    Layout,
 }
 
 /// When to use colours.
@@ -235,6 +246,38 @@ impl ColorChoice {
             ColorChoice::Always => true,
             ColorChoice::Never => false,
         }
+    }
+}
+
+impl ValueEnum for crate::export::Format {
+    fn value_variants<'a>() -> &'a [crate::export::Format] {
+        const FORMATS: [crate::export::Format; 9] = {
+            let mut formats = [crate::export::Format::Glb; 9];
+            let mut i = 0;
+            while i < formats.len() {
+                formats[i] = crate::export::Format::ALL[i].0;
+                i += 1;
+            }
+            formats
+        };
+        &FORMATS
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let known = crate::export::Format::ALL.iter().find(|(format, ..)| format == self);
+        known.map(|(_, name, help)| PossibleValue::new(*name).help(*help))
+    }
+}
+
+impl ValueEnum for crate::export::import::Source {
+    fn value_variants<'a>() -> &'a [crate::export::import::Source] {
+        use crate::export::import::Source::{Holodeck, Layout, LayoutGpt, Visualizer};
+        &[Layout, Visualizer, Holodeck, LayoutGpt]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let known = crate::export::import::Source::ALL.iter().find(|(source, ..)| source == self);
+        known.map(|(_, name, help)| PossibleValue::new(*name).help(*help))
     }
 }
 

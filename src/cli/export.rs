@@ -1,16 +1,24 @@
 //! `psdl export`
 
 use super::Outcome;
-use super::args::{ExportArgs, ExportFormat};
+use super::args::ExportArgs;
 use super::configuration::Configuration;
 use super::files::Program;
 use super::output::{self, Failure};
 use crate::analysis::{Analysis, Input, analyse};
+use crate::check::finding::Code;
+use crate::export::{Exported, Subject, export as write};
 use crate::report::{FileReport, Printer};
-use crate::scene::{JsonViolation, Layout, layout_json};
+use crate::scene::Layout;
 use crate::syntax::LineIndex;
+use std::io::IsTerminal as _;
+use std::path::Path;
 
 pub(super) fn export(args: &ExportArgs, color: bool) -> Result<Outcome, Failure> {
+    let target = args.output.as_deref().filter(|path| path.as_os_str() != "-");
+    if target.is_none() && args.to.is_binary() && std::io::stdout().is_terminal() {
+        return Err(Failure::new("this format is no text, and standard output is a terminal: name a file with -o"));
+    }
     let loaded = Program::named(&args.file).load();
     let options = Configuration::new(&args.options, color).options(&args.file)?;
     let (text, template) = loaded.texts()?;
@@ -18,28 +26,32 @@ pub(super) fn export(args: &ExportArgs, color: bool) -> Result<Outcome, Failure>
     let whole = analysis.layout.as_ref().filter(|_| !analysis.partial);
     let Some(layout) = whole else {
         let objects = analysis.object_names();
-        let findings: Vec<_> =
-            analysis.findings.into_iter().filter(|finding| finding.code < crate::check::finding::Code::OutOfBounds).collect();
+        let findings: Vec<_> = analysis.findings.into_iter().filter(|finding| finding.code < Code::OutOfBounds).collect();
         let file = FileReport { path: &loaded.path, text, template, findings: &findings, objects: &objects };
         output::report_error(&Printer { color, ..Printer::default() }.file(&file));
         return Ok(Outcome::Findings);
     };
-    let exported = match args.to {
-        ExportFormat::Layout => layout_text(text, layout, &analysis),
-    };
-    match args.output.as_deref().filter(|path| path.as_os_str() != "-") {
-        Some(path) => output::write_file(path, exported.as_bytes()).map(|()| Outcome::Clean),
-        None => output::print(&exported),
+    let stem = target.and_then(Path::file_stem).map(|stem| stem.to_string_lossy().into_owned());
+    let exported = exported(args.to, text, layout, &analysis, stem.as_deref());
+    match target {
+        Some(path) => {
+            // What is named in a file is there before the file is.
+            if let Some(companion) = &exported.companion {
+                output::write_file(&path.with_file_name(&companion.name), &companion.bytes)?;
+            }
+            output::write_file(path, &exported.bytes)?;
+        }
+        None => {
+            output::write(&exported.bytes)?;
+        }
     }
+    Ok(Outcome::Clean)
 }
 
-fn layout_text(text: &str, layout: &Layout, analysis: &Analysis) -> String {
+fn exported(format: crate::export::Format, text: &str, layout: &Layout, analysis: &Analysis, stem: Option<&str>) -> Exported {
     let lines = LineIndex::new(text);
-    let counted: Vec<_> = analysis.verdict.counted().map(|violation| (violation, violation.objects().collect::<Vec<usize>>())).collect();
-    let violation = |(violation, objects)| {
-        let violation: &crate::check::Violation = violation;
-        JsonViolation { kind: violation.kind.name(), objects, loss: violation.loss }
-    };
-    let violations: Vec<JsonViolation> = counted.iter().map(|(found, objects)| violation((*found, objects.as_slice()))).collect();
-    layout_json(layout, &violations, &|offset| lines.line(offset) as usize + 1)
+    let line_of = |offset| lines.line(offset) as usize + 1;
+    let constants = analysis.prepared.tuning.constants.iter().filter(|constant| constant.excluded.is_none()).count();
+    let subject = Subject { layout, verdict: &analysis.verdict, findings: &analysis.findings, constants, line_of: &line_of };
+    write(format, &subject, stem)
 }

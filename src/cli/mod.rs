@@ -19,6 +19,7 @@ mod files;
 mod film;
 mod fix;
 mod generate;
+mod import;
 mod lsp;
 mod output;
 mod picture;
@@ -70,6 +71,7 @@ fn dispatch(args: Args) -> Result<Outcome, Failure> {
         Some(Command::Run(args)) => with_stack(|| run::run(&args, errors)),
         Some(Command::Render(args)) => with_stack(|| render::render(&args, errors)),
         Some(Command::Export(args)) => with_stack(|| export::export(&args, errors)),
+        Some(Command::Import(args)) => with_stack(|| import::import(&args)),
         Some(Command::Explain(args)) => explain::explain(&args),
         Some(Command::Config(args)) => configuration::show(&args, errors),
         Some(Command::Completions(args)) => generate::completions(&args),

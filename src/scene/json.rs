@@ -92,18 +92,20 @@ fn json_object<'a>(layout: &'a Layout, object: &'a Placed, line_of: &dyn Fn(Text
         anchors: object.anchors.iter().map(|slot| json!([slot.anchor.name(), slot.axis.name(), number(slot.value)])).collect(),
         skip: (!body.is_placed()).then_some(true),
         color: object.color.as_deref(),
-        lines: lines_of(layout, object, line_of),
+        lines: layout.placing_lines(object, line_of),
     }
 }
 
-/// Lines of the statements that placed an object, ascending.
-fn lines_of(layout: &Layout, object: &Placed, line_of: &dyn Fn(TextSize) -> usize) -> Vec<usize> {
-    let origins = object.anchors.iter().map(|anchor| anchor.origin).chain(object.faced.map(|(origin, _)| origin));
-    let places = origins.map(|id| layout.origins.get(id)).filter(|origin| origin.source == Source::Program);
-    let mut lines: Vec<usize> = places.map(|origin| line_of(origin.range.start())).collect();
-    lines.sort_unstable();
-    lines.dedup();
-    lines
+impl Layout {
+    /// The lines of the program whose statements placed or turned an object, ascending. `line_of` as for [`layout_json`].
+    pub fn placing_lines(&self, object: &Placed, line_of: &dyn Fn(TextSize) -> usize) -> Vec<usize> {
+        let origins = object.anchors.iter().map(|anchor| anchor.origin).chain(object.faced.map(|(origin, _)| origin));
+        let places = origins.map(|id| self.origins.get(id)).filter(|origin| origin.source == Source::Program);
+        let mut lines: Vec<usize> = places.map(|origin| line_of(origin.range.start())).collect();
+        lines.sort_unstable();
+        lines.dedup();
+        lines
+    }
 }
 
 /// Plain data of ours always serializes: its keys are strings, and numbers that JSON lacks become null.

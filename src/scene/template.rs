@@ -72,7 +72,8 @@ pub enum Declared {
     Many(Vec<ObjectId>),
 }
 
-const KEYWORDS: [&str; 35] = [
+/// Python's keywords: no variable has these names.
+pub const KEYWORDS: [&str; 35] = [
     "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def", "del", "elif", "else", "except",
     "finally", "for", "from", "global", "if", "import", "in", "is", "lambda", "nonlocal", "not", "or", "pass", "raise", "return", "try",
     "while", "with", "yield",
@@ -90,6 +91,11 @@ fn is_identifier(text: &str) -> bool {
     let mut chars = text.chars();
     let starts = chars.next().is_some_and(|first| first == '_' || unicode_ident::is_xid_start(first));
     starts && chars.all(unicode_ident::is_xid_continue)
+}
+
+/// Whether a text can be the name of a variable as it stands: Python takes some letters for others.
+pub fn is_variable_name(text: &str) -> bool {
+    is_identifier(text) && unicode_normalization::is_nfkc(text) && !KEYWORDS.contains(&text)
 }
 
 /// Reads a template. JSON as RFC 8259 has it: no comments, no trailing commas.
