@@ -18,8 +18,14 @@ fn objects(layout: &mut Value) -> impl Iterator<Item = &mut Map<String, Value>> 
     layout["objects"].as_array_mut().expect("objects").iter_mut().filter_map(Value::as_object_mut)
 }
 
-/// Numbers of lines, and what objects are called, are the program's; the rest is the scene's.
+/// Numbers of lines, and what objects are called, are the program's; the rest is the scene's. What an object was told to face and does
+/// not cannot be said by a flat program, which has the direction instead.
 fn without_program(mut layout: Value) -> Value {
+    let violations = layout["violations"].as_array_mut().expect("violations");
+    let stale: Vec<Value> = violations.extract_if(.., |found| found["kind"] == "facing").collect();
+    for culprit in stale.iter().filter_map(|found| found["objects"][0].as_u64()) {
+        layout["objects"][culprit as usize]["facing_target"] = Value::Null;
+    }
     for object in objects(&mut layout) {
         object.remove("lines");
         object.remove("path");

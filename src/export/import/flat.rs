@@ -68,7 +68,7 @@ pub(super) fn anchored(center: [f64; 3], dims: [f64; 3], turn: Cardinal) -> Vec<
 }
 
 fn shortest(axis: Axis, center: f64, half: f64) -> (Axis, Anchor, Scalar) {
-    let length = |value: f64| format!("{value:?}").len();
+    let length = |value: f64| format!("{:?}", value.abs()).len();
     // What stands on something is told by its bottom.
     let order = if axis == Axis::Z { [Anchor::Min, Anchor::Center, Anchor::Max] } else { [Anchor::Center, Anchor::Min, Anchor::Max] };
     let found = order.into_iter().filter_map(|anchor| {

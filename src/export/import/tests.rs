@@ -64,8 +64,8 @@ desk.min.z = 0.0
 desk.facing = X_MIN
 
 lamp.center.x = 0.0
-lamp.max.y = 3.0
-lamp.center.z = 2.5
+lamp.center.y = 2.9
+lamp.min.z = 2.3
 lamp.facing = Y_MIN
 "#;
     assert_eq!(detect(text), Some(Visualizer));
@@ -89,7 +89,7 @@ bed.center.y = 1.5
 bed.min.z = 0.0
 bed.facing = Y_MIN
 
-desk.max.x = 2.0
+desk.center.x = 1.7
 desk.center.y = -0.5
 desk.min.z = 0.0
 desk.facing = X_MIN
@@ -131,7 +131,7 @@ bed.center.y = 2.0
 bed.min.z = 0.0
 bed.facing = Y_MIN
 
-desk.max.x = 2.0
+desk.center.x = 1.7
 desk.center.y = -2.0
 desk.min.z = 0.0
 desk.facing = X_MIN
