@@ -32,7 +32,8 @@ fn measure(name: &str, text: &str, runs: usize) {
         let lines = LineIndex::new(text);
         let line_of = |offset| lines.line(offset) as usize + 1;
         let constants = analysis.prepared.tuning.constants.len();
-        export(format, &Subject { layout, verdict: &analysis.verdict, findings: &analysis.findings, constants, line_of: &line_of }, None).bytes
+        export(format, &Subject { layout, verdict: &analysis.verdict, findings: &analysis.findings, constants, line_of: &line_of }, None)
+            .bytes
     };
     for (format, label, _) in Format::ALL {
         let (ms, bytes) = median(runs, || write(format).len());
@@ -49,7 +50,8 @@ fn main() {
     let folder = std::env::var("PSDL_CORPUS").unwrap_or_else(|_| concat!(env!("CARGO_MANIFEST_DIR"), "/examples").to_string());
     let entries = std::fs::read_dir(Path::new(&folder)).expect("the folder is there").flatten();
     let programs = entries.map(|entry| entry.path()).filter(|path| path.extension().is_some_and(|end| end == "psdl"));
-    let objects = |text: &str| analyse(&Input { text, template: None }, &Options::default(), None).layout.map_or(0, |layout| layout.objects.len());
+    let objects =
+        |text: &str| analyse(&Input { text, template: None }, &Options::default(), None).layout.map_or(0, |layout| layout.objects.len());
     let texts = programs.map(|path| (std::fs::read_to_string(&path).expect("a program is UTF-8"), path));
     let (largest, path) = texts.max_by_key(|(text, _)| objects(text)).expect("a program");
     measure(&path.display().to_string(), &largest, 101);

@@ -33,6 +33,10 @@ fn without_program(mut layout: Value) -> Value {
     layout
 }
 
+fn without_comments(program: &str) -> String {
+    program.lines().map(|line| format!("{}\n", line.split("  # was told").next().unwrap_or_default())).collect()
+}
+
 /// A path that a flat program can have: a name, or places in lists and dicts one after the other.
 fn is_plain(path: &str) -> bool {
     path.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
@@ -57,7 +61,8 @@ fn layouts_come_out_as_they_went_in() {
         }
         assert_eq!(without_program(before), without_program(after), "{name}");
         let again = imported(&name, &second, Source::Layout);
-        assert_eq!(again, program, "{name}");
+        // What an object was told to face in vain is said once, in a comment.
+        assert_eq!(again, without_comments(&program), "{name}");
         assert_eq!(Scene::run(&again, None).text_of(Format::Layout), second, "{name}");
     }
     assert!(kept > 500, "{kept} paths were kept");

@@ -81,15 +81,18 @@ fn is_label(label: &str) -> bool {
     !label.is_empty() && (is_number(label) || word.is_some_and(is_word))
 }
 
+/// The rest of an object's path, and its place in the scene.
+type Part<'a> = (&'a [&'a str], usize);
+
 /// Objects that share a root and stand one after the other, as what they are parts of. `None` where no list or dict has them in this
 /// order at these places.
-fn shape(parts: &[(&[&str], usize)]) -> Option<Shape> {
+fn shape(parts: &[Part]) -> Option<Shape> {
     if let [(labels, index)] = parts
         && labels.is_empty()
     {
         return Some(Shape::One(*index));
     }
-    let mut groups: Vec<(&str, Vec<(&[&str], usize)>)> = Vec::new();
+    let mut groups: Vec<(&str, Vec<Part>)> = Vec::new();
     for (labels, index) in parts {
         let (first, rest) = labels.split_first()?;
         match groups.last_mut() {
@@ -124,8 +127,7 @@ pub(super) fn name(items: &[Item]) -> Names {
         };
         let is_part = |other: &&Option<Path>| other.as_ref().is_some_and(|other| other.root == path.root);
         let count = paths[index..].iter().take_while(is_part).count();
-        let parts: Vec<(&[&str], usize)> =
-            (index..index + count).filter_map(|at| Some((paths[at].as_ref()?.labels.as_slice(), at))).collect();
+        let parts: Vec<Part> = (index..index + count).filter_map(|at| Some((paths[at].as_ref()?.labels.as_slice(), at))).collect();
         if uses.get(path.root) == Some(&count) && taken.is_free(path.root) {
             groups[index] = shape(&parts).map(|shape| (count, shape));
             if groups[index].is_some() {
