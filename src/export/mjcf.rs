@@ -14,7 +14,7 @@ use std::fmt::Write as _;
 const LONGEST: usize = 200;
 
 fn rgba(colour: Rgb) -> String {
-    format!("{} 1", numbers(colour.fractions().map(|value| libm::round(value * 1e6) / 1e6)))
+    format!("{} 1", numbers(colour.fractions()))
 }
 
 /// Degrees about the vertical that turn the box's own +y to where the object faces.

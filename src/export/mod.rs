@@ -8,7 +8,7 @@
 //!   What is left out is listed in the file.
 //! - What [`import`] gives is a program whose layout was computed before it is handed out: each box of the file is where the file has it.
 //!
-//! Knows `scene`, and findings as `check` gives them. Knows nothing of files, terminals, editors, or how programs are run.
+//! Knows `scene`, findings as `check` gives them, and the colours of `render`. Knows nothing of files, terminals, editors, or how programs are run.
 
 mod colour;
 mod gltf;

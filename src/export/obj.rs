@@ -67,7 +67,7 @@ pub(super) fn obj(pieces: &Pieces, stem: Option<&str>) -> Exported {
 fn mtl(materials: &BTreeSet<Rgb>) -> String {
     let mut out = String::from("# psdl\n");
     for colour in materials {
-        let kd = numbers(colour.fractions().map(|value| libm::round(value * 1e6) / 1e6));
+        let kd = numbers(colour.fractions());
         let _ = write!(out, "newmtl {}\nKa 0 0 0\nKd {kd}\nKs 0 0 0\nd 1\nillum 1\n", colour.hex());
     }
     out

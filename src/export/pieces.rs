@@ -67,12 +67,12 @@ fn drawable(min: [f64; 3], max: [f64; 3]) -> bool {
 impl<'a> Pieces<'a> {
     pub(super) fn of(layout: &'a Layout) -> Pieces<'a> {
         let mut pieces = Pieces { shown: Vec::new(), hidden: Vec::new(), surfaces: surfaces(&layout.scene) };
-        for (index, object) in layout.objects.iter().enumerate() {
+        for (index, (object, colour)) in layout.objects.iter().zip(colour::objects(layout)).enumerate() {
             let body = &object.body;
             if !body.is_placed() {
                 pieces.hidden.push((object, Hidden::Unplaced));
             } else if drawable(body.min, body.max) {
-                pieces.shown.push(Piece { index, object, colour: colour::of_object(object) });
+                pieces.shown.push(Piece { index, object, colour });
             } else {
                 pieces.hidden.push((object, Hidden::Extreme));
             }
@@ -87,9 +87,7 @@ fn surfaces(scene: &SceneInfo) -> Vec<Surface> {
     if !drawable([-x, -y, 0.0], [x, y, z]) {
         return Vec::new();
     }
-    let color = |surface: &Option<crate::scene::Surface>| surface.as_ref().and_then(|surface| surface.color.clone());
-    let floor = Rgb::or(color(&scene.floor).as_deref(), colour::FLOOR);
-    let paint = Rgb::or(color(&scene.wall).as_deref(), colour::WALL);
+    let [floor, paint] = colour::surfaces(scene);
     let surface = |name, colour, corners, normal, center, size| Surface { name, colour, corners, normal, center, size };
     let ground = [[-x, -y, 0.0], [x, -y, 0.0], [x, y, 0.0], [-x, y, 0.0]];
     let mut surfaces = vec![surface("floor", floor, ground, [0.0, 0.0, 1.0], [0.0, 0.0, -0.5 * t], [width, depth, t])];

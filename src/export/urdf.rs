@@ -53,7 +53,7 @@ pub(super) fn urdf(subject: &Subject, pieces: &Pieces) -> String {
         let _ = writeln!(out, "  <!-- left out: {}: {} -->", xml_comment(&object.path), hidden.reason());
     }
     for colour in links.iter().map(|link| link.colour).collect::<BTreeSet<Rgb>>() {
-        let rgb = numbers(colour.fractions().map(|value| libm::round(value * 1e6) / 1e6));
+        let rgb = numbers(colour.fractions());
         let _ = writeln!(out, "  <material name=\"{}\"><color rgba=\"{rgb} 1\"/></material>", colour.hex());
     }
     out.push_str("  <link name=\"scene\"/>\n");

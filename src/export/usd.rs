@@ -34,8 +34,7 @@ fn vector(values: [f64; 3]) -> String {
 }
 
 fn colour(rgb: Rgb) -> String {
-    // Six decimals are more than eight bits a channel need.
-    vector(rgb.linear().map(|value| libm::round(value * 1e6) / 1e6))
+    vector(rgb.linear())
 }
 
 /// Degrees about the vertical that turn +y to where an object faces.
