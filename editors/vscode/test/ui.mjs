@@ -224,7 +224,17 @@ const code = await (async () => {
             await page.keyboard.press("Control+s");
             return fs.readFileSync(path.join(workbench.files, "lamp.psdl"), "utf8").includes(`${LAMP}0.9\n`);
           });
-          await page.reload();
+          await until("no unsaved tab", async () => (await page.locator(".tab.dirty").count()) === 0);
+          // As a user does it: a reload of the page may lose what VS Code has not yet written down.
+          await page.evaluate(() => (window.before = true));
+          await command("Developer: Reload Window");
+          await until("another window", async () => {
+            try {
+              return (await page.evaluate(() => window.before)) === undefined;
+            } catch {
+              return false; // it is being loaded
+            }
+          });
           await seen(at.editor, 60_000);
           const frame = await webview("#picture svg");
           await frame.locator('g.object[data-object="0"]').first().waitFor({ state: "attached" });

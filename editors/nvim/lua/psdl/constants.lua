@@ -101,6 +101,8 @@ local function write(view, constant, value)
   if value < 0 and line:sub(column + 1):match('^%s*%*%*') then
     text = '(' .. text .. ')' -- a power binds closer than a sign
   end
+  -- An undo of its own: edits of a buffer that is not the current one join, else.
+  vim.bo[view.source].undolevels = vim.bo[view.source].undolevels
   vim.lsp.util.apply_text_edits({ { range = constant.range, newText = text } }, view.source, view.client.offset_encoding)
 end
 

@@ -34,6 +34,12 @@ function span(value: number): [number, number] {
   return [value - reach, value + reach];
 }
 
+/** What the knob of a slider stands for: a round number, at least a hundred of them from end to end. */
+function round({ range }: Row): number {
+  const step = 10 ** Math.floor(Math.log10((Number(range.max) - Number(range.min)) / 100));
+  return Math.round(range.valueAsNumber / step) * step;
+}
+
 function set(row: Row, value: number, phase: "first" | "next" | "last"): void {
   row.value.value = literal(value);
   if (row.slider !== undefined) say({ kind: "set", index: row.slider.index, generation, value, phase });
@@ -65,11 +71,11 @@ function build(): Row {
   row.range.addEventListener("input", () => {
     const phase = dragged === row ? "next" : "first";
     dragged = row;
-    set(row, row.range.valueAsNumber, phase);
+    set(row, round(row), phase);
   });
   row.range.addEventListener("change", () => {
     dragged = undefined;
-    set(row, row.range.valueAsNumber, "last");
+    set(row, round(row), "last");
   });
   row.value.addEventListener("change", () => {
     const value = Number(row.value.value);
@@ -93,7 +99,7 @@ function once(row: Row, value: number): void {
 function track(slider: Slider, [low, high]: [number, number]): string {
   const place = (value: number | null, open: number): string => `${((Math.min(high, Math.max(low, value ?? open)) - low) / (high - low)) * 100}%`;
   const stops = slider.good.flatMap(([from, to]) => {
-    const [start, end] = [place(from, low), place(to, high)];
+    const [start, end] = [`calc(${place(from, low)} - 1px)`, `calc(${place(to, high)} + 1px)`];
     return [`transparent ${start}`, `var(--good) ${start}`, `var(--good) ${end}`, `transparent ${end}`];
   });
   return stops.length === 0 ? "none" : `linear-gradient(to right, ${stops.join(", ")})`;
