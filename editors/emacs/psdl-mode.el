@@ -15,6 +15,7 @@
 
 (require 'python)
 (require 'eglot)
+(require 'jsonrpc)
 
 (defgroup psdl nil
   "Scene programs."
@@ -51,18 +52,24 @@
 ;; Before python-mode, from which ours is derived: the first match counts.
 (add-to-list 'eglot-server-programs (cons 'psdl-mode (lambda (&rest _) psdl-server-command)))
 
-(defun psdl--position (point)
-  "POINT as the protocol counts."
-  (save-excursion (goto-char point) (eglot--pos-to-lsp-position)))
+(defun psdl--line (point)
+  "The line of POINT, as the protocol counts, from its start."
+  (list :line (1- (line-number-at-pos point t)) :character 0))
 
 (defun psdl-fix (&optional beg end)
-  "Correct the layout errors of the program, or of the region from BEG to END."
+  "Correct the layout errors of the program, or of the lines of the region from BEG to END."
   (interactive (and (use-region-p) (list (region-beginning) (region-end))))
-  (let* ((server (eglot--current-server-or-lose))
-         (command (if beg "psdl.server.fixRange" "psdl.server.fixAll"))
+  (let* ((server (or (eglot-current-server) (user-error "No server runs for this buffer; try M-x eglot")))
          (uri (plist-get (eglot--TextDocumentIdentifier) :uri))
-         (range (and beg (list :start (psdl--position beg) :end (psdl--position end)))))
-    (eglot-execute-command server command (apply #'vector uri (and range (list range))))))
+         (after (and end (list :line (line-number-at-pos end t) :character 0)))
+         (arguments (if beg (vector uri (list :start (psdl--line beg) :end after)) (vector uri))))
+    ;; What was typed last must be known there before it is corrected.
+    (eglot--signal-textDocument/didChange)
+    ;; The server answers with edits of its own.
+    (jsonrpc-async-request server :workspace/executeCommand
+                           (list :command (if beg "psdl.server.fixRange" "psdl.server.fixAll") :arguments arguments)
+                           :success-fn #'ignore
+                           :error-fn (lambda (err) (message "psdl: %s" (plist-get err :message))))))
 
 (define-key psdl-mode-map (kbd "C-c C-x f") #'psdl-fix)
 

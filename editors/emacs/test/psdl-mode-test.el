@@ -79,8 +79,25 @@
                    (seq-some (lambda (text) (string-match-p "scen" text)) (psdl-test-findings)))
   (goto-char (point-min))
   (search-forward "scen.")
-  (eglot-code-actions (line-beginning-position) (line-end-position) "quickfix" t)
+  ;; There may be several: answer the question for one.
+  (cl-letf (((symbol-function 'completing-read)
+             (lambda (_prompt actions &rest _)
+               (car (seq-find (lambda (action) (string-match-p "scene" (car action))) actions)))))
+    (let ((last-nonmenu-event t))
+      (eglot-code-actions (line-beginning-position) (line-end-position) "quickfix" t)))
   (psdl-eventually "the edit" (save-excursion (goto-char (point-min)) (search-forward "= scene.center.x" nil t))))
+
+(psdl-test "psdl-fix corrects the lines of the region only"
+  (goto-char (point-min))
+  (psdl-fix (point-min) (line-beginning-position 6))
+  ;; Nothing of those lines helps: only the lamp's own line would.
+  (psdl-eventually "the finding" (psdl-test-findings))
+  (cl-assert (save-excursion (goto-char (point-min)) (search-forward "+ 0.3" nil t))))
+
+(psdl-test "psdl-fix corrects the program"
+  (psdl-fix)
+  (psdl-eventually "no finding" (null (psdl-test-findings)))
+  (cl-assert (not (save-excursion (goto-char (point-min)) (search-forward "+ 0.3" nil t)))))
 
 (set-buffer-modified-p nil)
 (kill-buffer)

@@ -199,22 +199,6 @@ const tests = {
     const labels = list.items.filter(item => item.kind === vscode.CompletionItemKind.Snippet).map(item => item.label.label ?? item.label);
     assert.ok(labels.includes("ontop"), String(labels));
   },
-  async "the task checks the folder, and its matcher finds the errors"() {
-    await vscode.commands.executeCommand("workbench.action.closeAllEditors");
-    fs.writeFileSync(path.join(folder().fsPath, "task.psdl"), fs.readFileSync(file("lamp.psdl").fsPath));
-    const [task] = await vscode.tasks.fetchTasks({ type: "psdl" });
-    assert.equal(task.name, "check");
-    const ended = new Promise(resolve => {
-      const listening = vscode.tasks.onDidEndTaskProcess(event => {
-        listening.dispose();
-        resolve(event.exitCode);
-      });
-    });
-    await vscode.tasks.executeTask(task);
-    assert.equal(await ended, 1);
-    const found = await until("a problem of the task", () => vscode.languages.getDiagnostics(file("task.psdl")).find(finding => /lamp floats/.test(finding.message)));
-    assert.equal(found.range.start.line, place(lamp, LAMP).line);
-  },
   async "the example opens"() {
     await vscode.commands.executeCommand("psdl.openExample");
     const document = vscode.window.activeTextEditor.document;
@@ -247,6 +231,22 @@ const tests = {
     await vscode.workspace.getConfiguration("psdl").update("server.path", undefined, vscode.ConfigurationTarget.Global);
     await until("a running server", () => api().health().kind === "running");
     await findings(lamp.uri, ["standing"]);
+  },
+  async "the task checks the folder, and its matcher finds the errors"() {
+    await vscode.commands.executeCommand("workbench.action.closeAllEditors");
+    fs.writeFileSync(path.join(folder().fsPath, "task.psdl"), fs.readFileSync(file("lamp.psdl").fsPath));
+    const [task] = await vscode.tasks.fetchTasks({ type: "psdl" });
+    assert.equal(task.name, "check");
+    const ended = new Promise(resolve => {
+      const listening = vscode.tasks.onDidEndTaskProcess(event => {
+        listening.dispose();
+        resolve(event.exitCode);
+      });
+    });
+    await vscode.tasks.executeTask(task);
+    assert.equal(await ended, 1);
+    const found = await until("a problem of the task", () => vscode.languages.getDiagnostics(file("task.psdl")).find(finding => /lamp floats/.test(finding.message)));
+    assert.equal(found.range.start.line, place(lamp, LAMP).line);
   },
 };
 
