@@ -10,7 +10,7 @@ pub use crate::syntax::{ConstantId, DirectionId};
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct CodeId(pub u32);
 
-/// One instruction of the stack machine. Comments show the stack before → after, top at the right.
+/// One instruction of the stack machine, of 8 bytes. Comments show the stack before → after, top at the right.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[allow(missing_docs)]
 pub enum Op {
@@ -49,10 +49,7 @@ pub enum Op {
     StoreGlobal(u32),
     DeleteGlobal(u32),
     /// In a class body: the namespace, then globals, then builtins.
-    LoadName {
-        name: u32,
-        slot: u32,
-    },
+    LoadName(u32),
     StoreName(u32),
     DeleteName(u32),
     /// o → o.name
@@ -237,6 +234,14 @@ pub enum Op {
         op: CompareOp,
         target: u32,
     },
+    /// a →, jumps where the comparison with the constant is false
+    CompareConstJump {
+        op: CompareOp,
+        constant: u16,
+        target: u32,
+    },
+    /// o → `o[constant]`
+    LoadSubscrConst(u32),
     /// → local.name
     LoadFastAttr {
         slot: u16,

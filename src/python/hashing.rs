@@ -50,6 +50,9 @@ impl Keyed for Set {
 #[inline]
 pub fn hash_int(v: i64) -> i64 {
     const MODULUS: u64 = (1 << 61) - 1;
+    if (0..MODULUS as i64).contains(&v) {
+        return v;
+    }
     let m = (v.unsigned_abs() % MODULUS) as i64;
     match if v < 0 { -m } else { m } {
         -1 => -2,
@@ -94,12 +97,13 @@ fn hash_text(text: &[u8]) -> i64 {
 /// Whether two keys of equal hash are the same, where that can be said without running Python code.
 fn same_key(heap: &Heap, a: Value, b: Value, depth: u32) -> Option<bool> {
     use Value::*;
-    if a.is(b) {
-        return Some(true);
+    match (a, b) {
+        (Str(x), Str(y)) => return Some(x == y || heap[x].text == heap[y].text),
+        (Int(x, _), Int(y, _)) => return Some(x == y),
+        _ if a.is(b) => return Some(true),
+        _ => {}
     }
     Some(match (a, b) {
-        (Str(x), Str(y)) => heap[x].text == heap[y].text,
-        (Int(x, _), Int(y, _)) => x == y,
         (Float(x, _), Float(y, _)) => x == y,
         (Int(x, _), Float(y, _)) | (Float(y, _), Int(x, _)) => y == x as f64 && y.to_i128() == Some(x.into()),
         (Bool(x), Int(y, _)) | (Int(y, _), Bool(x)) => i64::from(x) == y,

@@ -553,6 +553,23 @@ impl Heap {
         Value::Tuple(empty)
     }
 
+    /// A new `tuple` of a copy of these values.
+    #[inline]
+    pub(super) fn tuple_from(&mut self, items: &[Value]) -> Value {
+        if items.is_empty() || items.len() > 3 {
+            return self.tuple(items);
+        }
+        let tuple = self.alloc(Tuple(SmallVec::from_buf_and_len([Value::Undefined; 3], items.len())));
+        for (place, item) in self[tuple].0.iter_mut().zip(items) {
+            // Numbers field by field (see `vm::fast`).
+            match *item {
+                Value::Float(x, h) => *place = Value::Float(x, h),
+                _ => std::slice::from_mut(place).copy_from_slice(std::slice::from_ref(item)),
+            }
+        }
+        Value::Tuple(tuple)
+    }
+
     /// A new `list`.
     pub fn list(&mut self, items: Vec<Value>) -> Value {
         Value::List(self.alloc(List(items)))

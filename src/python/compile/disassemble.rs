@@ -52,13 +52,13 @@ fn operand(program: &Program, code: &Code, op: Op) -> Option<String> {
         cells.chain(&code.frees).nth(at).map(ToString::to_string)
     };
     match op {
-        Op::Const(at) => constant(at as usize),
+        Op::Const(at) | Op::LoadSubscrConst(at) => constant(at as usize),
         Op::LoadFast(at) | Op::StoreFast(at) | Op::DeleteFast(at) | Op::BinaryFast { b: at, .. } => local(at),
         Op::LoadDeref(at) | Op::StoreDeref(at) | Op::DeleteDeref(at) | Op::LoadClosure(at) | Op::LoadClassDeref { slot: at, .. } => {
             cell(at)
         }
         Op::LoadGlobal(at) | Op::StoreGlobal(at) | Op::DeleteGlobal(at) => program.globals.get(at as usize).map(ToString::to_string),
-        Op::LoadName { name: at, .. } | Op::StoreName(at) | Op::DeleteName(at) => name(at),
+        Op::LoadName(at) | Op::StoreName(at) | Op::DeleteName(at) => name(at),
         Op::LoadAttr(at) | Op::StoreAttr(at) | Op::DeleteAttr(at) | Op::LoadMethod(at) | Op::ImportFrom(at) => name(at),
         Op::Import { name: at, .. } => name(at),
         Op::CallKw { names, .. } | Op::CallMethodKw { names, .. } => constant(names as usize),
@@ -68,7 +68,7 @@ fn operand(program: &Program, code: &Code, op: Op) -> Option<String> {
         }
         Op::BinaryFastFast { a, b, .. } | Op::LoadFastFast { a, b } => Some(format!("{} {}", local(a)?, local(b)?)),
         Op::BinaryFastConst { a, constant: at, .. } => Some(format!("{} {}", local(a)?, constant(at.into())?)),
-        Op::BinaryConst { constant: at, .. } => constant(at.into()),
+        Op::BinaryConst { constant: at, .. } | Op::CompareConstJump { constant: at, .. } => constant(at.into()),
         Op::LoadFastAttr { slot, name: at } => Some(format!("{}.{}", local(slot)?, name(at)?)),
         _ => None,
     }

@@ -13,7 +13,8 @@ pub(super) fn target_mut(op: &mut Op) -> Option<&mut u32> {
         | Op::JumpIfTrueOrPop(target)
         | Op::PopJumpIfNone(target)
         | Op::ForIter(target)
-        | Op::CompareJump { target, .. } => Some(target),
+        | Op::CompareJump { target, .. }
+        | Op::CompareConstJump { target, .. } => Some(target),
         _ => None,
     }
 }
@@ -46,6 +47,7 @@ pub(super) fn effect(op: Op) -> (i32, i32) {
         | ExcGroupMatch
         | Direction(_)
         | Statement(_)
+        | LoadSubscrConst(_)
         | BinaryConst { .. }
         | BinaryFast { .. } => 0,
         DeleteFast(_) | DeleteDeref(_) | DeleteGlobal(_) | DeleteName(_) => 0,
@@ -57,7 +59,7 @@ pub(super) fn effect(op: Op) -> (i32, i32) {
         | LoadClosure(_)
         | LoadClassDeref { .. }
         | LoadGlobal(_)
-        | LoadName { .. }
+        | LoadName(_)
         | LoadMethod(_)
         | StartLoop
         | BeforeWith
@@ -74,9 +76,34 @@ pub(super) fn effect(op: Op) -> (i32, i32) {
         | BinaryFastConst { .. }
         | LoadFastAttr { .. } => 1,
         Dup2 | LoadFastFast { .. } => 2,
-        Pop | StoreFast(_) | StoreDeref(_) | StoreGlobal(_) | StoreName(_) | DeleteAttr(_) | LoadSubscr | Binary(_) | Inplace(_)
-        | Compare(_) | Is(_) | In(_) | PopJumpIfFalse(_) | PopJumpIfTrue(_) | PopJumpIfNone(_) | ListAppend(_) | SetAdd(_) | ListExtend
-        | SetUpdate | DictUpdate | DictMerge(_) | Return | YieldFrom | Reraise | ExcGroupFinish | ImportStar | MatchRest => -1,
+        Pop
+        | StoreFast(_)
+        | StoreDeref(_)
+        | StoreGlobal(_)
+        | StoreName(_)
+        | DeleteAttr(_)
+        | LoadSubscr
+        | Binary(_)
+        | Inplace(_)
+        | Compare(_)
+        | Is(_)
+        | In(_)
+        | PopJumpIfFalse(_)
+        | PopJumpIfTrue(_)
+        | PopJumpIfNone(_)
+        | ListAppend(_)
+        | SetAdd(_)
+        | ListExtend
+        | SetUpdate
+        | DictUpdate
+        | DictMerge(_)
+        | Return
+        | YieldFrom
+        | Reraise
+        | ExcGroupFinish
+        | ImportStar
+        | MatchRest
+        | CompareConstJump { .. } => -1,
         StoreAttr(_) | DeleteSubscr | DictAdd(_) | CompareJump { .. } | MatchClass(_) => -2,
         StoreSubscr => -3,
         BuildTuple(n) | BuildList(n) | BuildSet(n) | BuildString(n) => built(n),

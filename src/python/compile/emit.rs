@@ -222,7 +222,16 @@ impl Emitter {
             (Op::Compare(op), Op::PopJumpIfFalse(target)) => {
                 let range = self.ranges.last().copied().unwrap_or(range);
                 self.drop_last(1);
-                self.push(Op::CompareJump { op, target }, range);
+                self.fuse(Op::CompareJump { op, target }, range);
+            }
+            (Op::Const(constant), Op::CompareJump { op, target }) if u16::try_from(constant).is_ok() => {
+                let constant = u16::try_from(constant).unwrap_or_default();
+                self.drop_last(1);
+                self.push(Op::CompareConstJump { op, constant, target }, range);
+            }
+            (Op::Const(constant), Op::LoadSubscr) => {
+                self.drop_last(1);
+                self.push(Op::LoadSubscrConst(constant), range);
             }
             _ => self.push(op, range),
         }

@@ -14,7 +14,7 @@ enum Place {
     Deref(u16),
     Global(u32),
     /// In the namespace of the class body, else the global.
-    Namespace(u32),
+    Namespace,
 }
 
 /// Scopes with more variables than fit were refused when they were opened.
@@ -48,8 +48,8 @@ impl Compiler<'_> {
             Some(NameKind::Cell(cell)) => Place::Deref(self.captured_slot(Capture::Cell(cell))),
             Some(NameKind::Free(free)) => Place::Deref(self.captured_slot(Capture::Free(free))),
             Some(NameKind::GlobalExplicit(global) | NameKind::GlobalImplicit(global)) => Place::Global(global.0),
-            Some(NameKind::Class(global)) => Place::Namespace(global.0),
-            None if self.unit.kind == CodeKind::Class => Place::Namespace(self.global(name)),
+            Some(NameKind::Class(_)) => Place::Namespace,
+            None if self.unit.kind == CodeKind::Class => Place::Namespace,
             None => Place::Global(self.global(name)),
         }
     }
@@ -69,7 +69,7 @@ impl Compiler<'_> {
             Place::Deref(slot) if self.unit.kind == CodeKind::Class => Op::LoadClassDeref { slot, name: self.attribute(name) },
             Place::Deref(slot) => Op::LoadDeref(slot),
             Place::Global(slot) => Op::LoadGlobal(slot),
-            Place::Namespace(slot) => Op::LoadName { name: self.attribute(name), slot },
+            Place::Namespace => Op::LoadName(self.attribute(name)),
         };
         self.emit(op, range);
     }
@@ -79,7 +79,7 @@ impl Compiler<'_> {
             Place::Fast(slot) => Op::StoreFast(slot),
             Place::Deref(slot) => Op::StoreDeref(slot),
             Place::Global(slot) => Op::StoreGlobal(slot),
-            Place::Namespace(_) => Op::StoreName(self.attribute(name)),
+            Place::Namespace => Op::StoreName(self.attribute(name)),
         };
         self.emit(op, range);
     }
@@ -89,7 +89,7 @@ impl Compiler<'_> {
             Place::Fast(slot) => Op::DeleteFast(slot),
             Place::Deref(slot) => Op::DeleteDeref(slot),
             Place::Global(slot) => Op::DeleteGlobal(slot),
-            Place::Namespace(_) => Op::DeleteName(self.attribute(name)),
+            Place::Namespace => Op::DeleteName(self.attribute(name)),
         };
         self.emit(op, range);
     }
@@ -100,7 +100,7 @@ impl Compiler<'_> {
             Place::Fast(slot) => Slot::Fast(slot),
             Place::Deref(slot) => Slot::Deref(slot),
             Place::Global(slot) => Slot::Global(slot),
-            Place::Namespace(_) => return None,
+            Place::Namespace => return None,
         };
         Some((name.into(), slot))
     }

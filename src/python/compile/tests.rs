@@ -31,7 +31,7 @@ fn underlined(source: &str, is_it: fn(&Op) -> bool) -> &str {
 fn errors_can_underline_what_failed() {
     assert_eq!(underlined("x = a.b + f(1)[2]", |op| matches!(op, Op::LoadAttr(_))), "a.b");
     assert_eq!(underlined("x = a.b + f(1)[2]", |op| matches!(op, Op::Call(_))), "f(1)");
-    assert_eq!(underlined("x = a.b + f(1)[2]", |op| matches!(op, Op::LoadSubscr)), "f(1)[2]");
+    assert_eq!(underlined("x = a.b + f(1)[2]", |op| matches!(op, Op::LoadSubscrConst(_))), "f(1)[2]");
     assert_eq!(underlined("x = a.b + f(1)[2]", |op| matches!(op, Op::Binary(_))), "a.b + f(1)[2]");
     assert_eq!(underlined("def f(a): return 1 + a.b", |op| matches!(op, Op::LoadFastAttr { .. })), "a.b");
 }

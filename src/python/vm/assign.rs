@@ -10,7 +10,7 @@ use crate::python::symbols::sym;
 use crate::python::value::{Symbol, Value};
 
 /// Whether a hook is the one that every object has: `dict.__setitem__` as a class's `__setattr__` is not.
-fn is_default(hook: Value, name: &str) -> bool {
+pub(super) fn is_default(hook: Value, name: &str) -> bool {
     matches!(hook, Value::Native(native) if native.name == name)
 }
 
@@ -125,7 +125,7 @@ impl Vm<'_> {
                     return Ok(());
                 }
                 items.push((name, value));
-                if items.len() <= 64 {
+                if items.len() <= super::attr::INLINE {
                     return Ok(());
                 }
                 self.instance_dict(i);

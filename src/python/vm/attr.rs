@@ -1,6 +1,7 @@
 //! Attributes: look-up along classes, descriptors, the hooks of programs.
 
 use super::Vm;
+use super::fast::set;
 use crate::python::classes::Builtin;
 use crate::python::error::{R, Raise};
 use crate::python::heap::*;
@@ -9,25 +10,67 @@ use crate::python::symbols::sym;
 use crate::python::value::{Symbol, Value};
 
 const CACHE: usize = 1024;
+/// An instance with more attributes keeps them in a dict.
+pub(super) const INLINE: usize = 64;
 
 /// What classes answered lately. Cleared whenever any class changes.
 pub struct Cache {
-    entries: Vec<(u32, Symbol, Value)>,
+    entries: Vec<Entry>,
 }
+
+#[derive(Clone, Copy)]
+struct Entry {
+    class: u32,
+    name: Symbol,
+    found: Value,
+    kind: Kind,
+    /// An instance takes this attribute without asking anyone.
+    stores: bool,
+}
+
+/// What the class's attribute means to an instance.
+#[derive(Clone, Copy)]
+enum Kind {
+    /// The instance's own attribute comes first, then this value, if there is one.
+    Plain,
+    /// The instance's own attribute comes first, then this method.
+    Method,
+    /// A property with this getter.
+    Property(Ref<Function>),
+    /// Anything else.
+    Other,
+}
+
+const NOTHING: Entry = Entry { class: u32::MAX, name: Symbol(0), found: Value::Undefined, kind: Kind::Other, stores: false };
 
 impl Cache {
     pub(super) fn new() -> Cache {
-        Cache { entries: vec![(u32::MAX, Symbol(0), Value::Undefined); CACHE] }
+        Cache { entries: vec![NOTHING; CACHE] }
     }
 
     pub(super) fn clear(&mut self) {
-        self.entries.fill((u32::MAX, Symbol(0), Value::Undefined));
+        self.entries.fill(NOTHING);
     }
 
     #[inline(always)]
-    fn place(class: u32, name: Symbol) -> usize {
-        (class.wrapping_mul(31).wrapping_add(name.0)) as usize % CACHE
+    fn place(class: Ref<Class>, name: Symbol) -> usize {
+        (class.index().wrapping_mul(31).wrapping_add(name.0)) as usize % CACHE
     }
+
+    #[inline(always)]
+    fn get(&self, class: Ref<Class>, name: Symbol) -> Option<&Entry> {
+        self.entries.get(Cache::place(class, name)).filter(|e| e.class == class.index() && e.name == name)
+    }
+}
+
+/// What attribute access found without running code or making anything.
+pub(super) enum QuickAttr<'a> {
+    Value(&'a Value),
+    /// A callable that wants the object as its first argument.
+    Method(Value),
+    /// A property's getter, written in Python.
+    Property(Ref<Function>),
+    No,
 }
 
 /// What attribute access found, before a method is bound: calls need no bound method.
@@ -42,13 +85,15 @@ impl Vm<'_> {
     /// The attribute that a class or its bases hold, as it stands there.
     #[inline]
     pub fn class_attr(&mut self, class: Ref<Class>, name: Symbol) -> Option<Value> {
-        let place = Cache::place(class.index(), name);
-        let (c, n, v) = self.attr_cache.entries[place];
-        let value = if c == class.index() && n == name { v } else { self.class_attr_slow(class, name, place) };
+        let value = match self.attr_cache.get(class, name) {
+            Some(entry) => entry.found,
+            None => self.class_attr_slow(class, name),
+        };
         if value.is_undefined() { None } else { Some(value) }
     }
 
-    fn class_attr_slow(&mut self, class: Ref<Class>, name: Symbol, place: usize) -> Value {
+    #[inline(never)]
+    fn class_attr_slow(&mut self, class: Ref<Class>, name: Symbol) -> Value {
         let mut found = Value::Undefined;
         for i in 0..self.heap[class].mro.len() {
             let base = self.heap[class].mro[i];
@@ -60,7 +105,23 @@ impl Vm<'_> {
                 break;
             }
         }
-        self.attr_cache.entries[place] = (class.index(), name, found);
+        let kind = match found {
+            _ if self.heap[class].hooked => Kind::Other,
+            Value::Undefined | Value::Int(..) | Value::Float(..) | Value::Str(_) | Value::None | Value::Bool(_) => Kind::Plain,
+            Value::Function(_) => Kind::Method,
+            Value::Native(n) if matches!(n.kind, NativeKind::Method | NativeKind::Raw) => Kind::Method,
+            Value::Property(p) => match self.heap[p].get {
+                Value::Function(getter) => Kind::Property(getter),
+                _ => Kind::Other,
+            },
+            _ => Kind::Other,
+        };
+        let stores = matches!(kind, Kind::Plain | Kind::Method)
+            && !matches!(name, sym::SETATTR | sym::CLASS | sym::DICT)
+            && self.heap[class].slots.is_none()
+            && !self.heap[class].builtin
+            && self.class_attr(class, sym::SETATTR).is_none_or(|hook| super::assign::is_default(hook, "__setattr__"));
+        self.attr_cache.entries[Cache::place(class, name)] = Entry { class: class.index(), name, found, kind, stores };
         found
     }
 
@@ -130,55 +191,75 @@ impl Vm<'_> {
         }
     }
 
-    /// The common cases of an instance without hooks: its own attribute, and a method of its class.
+    /// The common cases: an instance's own attribute, a method or property of its class, a method of a builtin value, a variable of a
+    /// module.
     #[inline(always)]
-    pub(super) fn quick_attr(&mut self, object: Value, name: Symbol) -> Option<Found> {
-        let Value::Instance(i) = object else { return None };
-        let instance = &self.heap[i];
-        let class = instance.class;
-        let (c, n, on_class) = self.attr_cache.entries[Cache::place(class.index(), name)];
-        if c != class.index() || n != name || self.heap[class].hooked {
-            return None;
-        }
-        let Attrs::Inline(items) = &instance.attrs else { return None };
-        match on_class {
-            Value::Undefined | Value::Function(_) | Value::Int(..) | Value::Float(..) | Value::Str(_) | Value::None | Value::Bool(_) => {
-                match items.iter().find(|p| p.0 == name) {
-                    Some(pair) => Some(Found::Value(pair.1)),
-                    None => match on_class {
-                        Value::Undefined => None,
-                        Value::Function(_) => Some(Found::Method(on_class)),
-                        plain => Some(Found::Value(plain)),
-                    },
+    pub(super) fn quick_attr<'a>(heap: &'a Heap, cache: &'a Cache, object: &Value, name: Symbol) -> QuickAttr<'a> {
+        let (class, own) = match *object {
+            Value::Instance(i) => {
+                let instance = &heap[i];
+                match &instance.attrs {
+                    Attrs::Inline(items) => (instance.class, items.as_slice()),
+                    Attrs::Dict(_) => return QuickAttr::No,
                 }
             }
-            _ => None,
+            Value::Module(m) => {
+                let module = &heap[m];
+                return match module.index.get(&name).and_then(|slot| module.slots.get(*slot as usize)) {
+                    Some(value) if !value.is_undefined() => QuickAttr::Value(value),
+                    _ => QuickAttr::No,
+                };
+            }
+            Value::List(_) => (Builtin::List.class(), &[][..]),
+            Value::Dict(_) => (Builtin::Dict.class(), &[][..]),
+            Value::Str(_) => (Builtin::Str.class(), &[][..]),
+            _ => return QuickAttr::No,
+        };
+        let Some(entry) = cache.get(class, name) else { return QuickAttr::No };
+        let found = match entry.kind {
+            Kind::Property(getter) => return QuickAttr::Property(getter),
+            Kind::Other => return QuickAttr::No,
+            Kind::Plain if entry.found.is_undefined() => QuickAttr::No,
+            Kind::Plain => QuickAttr::Value(&entry.found),
+            Kind::Method => QuickAttr::Method(entry.found),
+        };
+        match own.iter().find(|p| p.0 == name) {
+            Some(pair) => QuickAttr::Value(&pair.1),
+            None => found,
         }
     }
 
-    /// The getter of a property written in Python, where that is what the attribute is.
+    /// `o.name = value` of the two on top of the stack, where nobody needs to be asked: they are taken off. Else nothing is done.
     #[inline(always)]
-    pub(super) fn property_getter(&mut self, object: Value, name: Symbol) -> Option<Ref<Function>> {
-        let Value::Instance(i) = object else { return None };
-        let class = self.heap[i].class;
-        let (c, n, on_class) = self.attr_cache.entries[Cache::place(class.index(), name)];
-        if c != class.index() || n != name || self.heap[class].hooked {
-            return None;
+    pub(super) fn quick_store(&mut self, name: Symbol) -> bool {
+        let top = self.stack.len() - 1;
+        let Value::Instance(i) = self.stack[top] else { return false };
+        let instance = &mut self.heap[i];
+        if !self.attr_cache.get(instance.class, name).is_some_and(|entry| entry.stores) {
+            return false;
         }
-        match on_class {
-            Value::Property(p) => match self.heap[p].get {
-                Value::Function(f) => Some(f),
-                _ => None,
-            },
-            _ => None,
+        let Attrs::Inline(items) = &mut instance.attrs else { return false };
+        match items.iter().position(|p| p.0 == name) {
+            Some(at) => set(&mut items[at].1, &self.stack[top - 1]),
+            None if items.len() < INLINE => {
+                let before = items.capacity();
+                items.push((name, self.stack[top - 1]));
+                let grown = items.capacity() - before;
+                self.heap.bytes += grown * std::mem::size_of::<(Symbol, Value)>();
+            }
+            None => return false,
         }
+        self.stack.truncate(top - 1);
+        true
     }
 
     /// Attribute access without binding methods.
     #[inline]
     pub(crate) fn find_attr(&mut self, object: Value, name: Symbol) -> R<Option<Found>> {
-        if let Some(found) = self.quick_attr(object, name) {
-            return Ok(Some(found));
+        match Vm::quick_attr(&self.heap, &self.attr_cache, &object, name) {
+            QuickAttr::Value(value) => return Ok(Some(Found::Value(*value))),
+            QuickAttr::Method(callee) => return Ok(Some(Found::Method(callee))),
+            QuickAttr::Property(_) | QuickAttr::No => {}
         }
         match object {
             Value::Instance(i) => self.find_instance_attr(object, i, name),

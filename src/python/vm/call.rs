@@ -1,5 +1,6 @@
 //! Calls: of functions, classes, natives, anything.
 
+use super::fast::{array, set};
 use super::{Linked, Vm};
 use crate::python::classes::Builtin;
 use crate::python::code::{CodeId, CodeKind};
@@ -84,6 +85,35 @@ impl Vm<'_> {
     /// Calls a native function after checking how many arguments it gets.
     pub fn call_native(&mut self, native: &'static Native, args: Args<'_>) -> R<Value> {
         self.charge(4)?;
+        let (min, max) = native.arity;
+        let takes_receiver = match native.kind {
+            NativeKind::Function | NativeKind::StaticMethod => false,
+            NativeKind::Method | NativeKind::Getter if matches!(args.at(0), Value::Instance(_)) => {
+                return self.call_native_slow(native, args);
+            }
+            _ => true,
+        };
+        let given = args.pos.len().wrapping_sub(usize::from(takes_receiver));
+        if args.kw.is_empty() && given >= usize::from(min) && (given <= usize::from(max) || max == ANY && given < usize::MAX) {
+            return (native.body)(self, args);
+        }
+        self.call_native_slow(native, args)
+    }
+
+    /// Calls a native function that stands on the stack with its positional arguments from `start` on; the result takes their place.
+    #[inline(always)]
+    pub(super) fn call_on_stack(&mut self, native: &'static Native, floor: usize, start: usize) -> R<()> {
+        let result = match &self.stack[start..] {
+            args @ [_] => self.call_native(native, Args::new(&array::<1>(args))),
+            args @ [_, _] => self.call_native(native, Args::new(&array::<2>(args))),
+            args @ [_, _, _] => self.call_native(native, Args::new(&array::<3>(args))),
+            args => self.call_native(native, Args::new(&Few::from_slice(args))),
+        };
+        self.finish(floor, result)
+    }
+
+    #[inline(never)]
+    fn call_native_slow(&mut self, native: &'static Native, args: Args<'_>) -> R<Value> {
         let bound = matches!(native.kind, NativeKind::Method | NativeKind::Raw | NativeKind::ClassMethod | NativeKind::Getter);
         let given = args.pos.len() - usize::from(bound && !args.pos.is_empty());
         if bound && args.pos.is_empty() {
@@ -163,6 +193,10 @@ impl Vm<'_> {
                 self.stack.insert(start, receiver);
                 self.begin_call(callee, floor, start, keywords)
             }
+            Value::Native(native) if keywords.is_empty() => {
+                self.call_on_stack(native, floor, start)?;
+                Ok(Begun::Done)
+            }
             Value::Class(c) if !self.heap[c].builtin && self.plain_init(c) => self.begin_instance(c, floor, start, keywords),
             _ => {
                 let args: Few = SmallVec::from_slice(&self.stack[start..]);
@@ -196,6 +230,36 @@ impl Vm<'_> {
         let start = floor + 1;
         self.stack.insert(start, instance);
         self.begin_function(init, start, start, keywords, Return::Instance)
+    }
+
+    /// Enters a function that takes its arguments as they stand from `start` to the top; where it needs more thought, `false` and nothing
+    /// is done.
+    #[inline(always)]
+    pub(super) fn enter(&mut self, function: Ref<Function>, floor: usize, start: usize) -> bool {
+        let Function { code, module, .. } = self.heap[function];
+        let linked = &self.codes[code.0 as usize];
+        let given = self.stack.len() - start;
+        let cost = linked.cost as i64;
+        if !linked.plain || given != linked.positional || self.frames.len() >= self.limits.recursion || self.countdown < cost {
+            return false;
+        }
+        self.countdown -= cost;
+        for _ in given..linked.slots {
+            self.stack.push(Value::Undefined);
+        }
+        let frame = Frame {
+            code,
+            pc: 0,
+            base: start as u32,
+            floor: floor as u32,
+            module,
+            namespace: Value::Undefined,
+            ret: Return::Push,
+            handling: self.handling.len() as u32,
+            generator: None,
+        };
+        self.frames.push(std::mem::replace(&mut self.frame, frame));
+        true
     }
 
     /// Begins a Python function; its positional arguments stand on the stack from `start` to the top.
@@ -268,8 +332,63 @@ impl Vm<'_> {
         Ok(Begun::Done)
     }
 
+    /// The same for calls without surprises; else `false` and nothing is done.
+    fn bind_quickly(&mut self, function: Ref<Function>, linked: &Linked, start: usize, keywords: &[(Symbol, Value)]) -> bool {
+        let params = &linked.code().params;
+        let (given, named) = (self.stack.len() - start, linked.params.len());
+        let (positional, posonly) = (usize::from(params.positional), usize::from(params.positional_only));
+        if params.varargs || params.varkw || given > positional {
+            return false;
+        }
+        self.stack.resize(start + named, Value::Undefined);
+        let complete = self.fill_parameters(function, linked, start, given, posonly, keywords);
+        if !complete {
+            self.stack.truncate(start + given);
+        }
+        complete
+    }
+
+    /// Puts keywords and defaults into the places behind the arguments that were given by position; whether all are filled.
+    fn fill_parameters(
+        &mut self,
+        function: Ref<Function>,
+        linked: &Linked,
+        start: usize,
+        given: usize,
+        posonly: usize,
+        keywords: &[(Symbol, Value)],
+    ) -> bool {
+        let slots = &mut self.stack[start..];
+        for (name, value) in keywords {
+            match linked.params.iter().position(|p| p == name) {
+                Some(at) if at >= posonly && slots[at].is_undefined() => set(&mut slots[at], value),
+                _ => return false,
+            }
+        }
+        let function = &self.heap[function];
+        let without_default = linked.positional - function.defaults.len().min(linked.positional);
+        for at in given..slots.len() {
+            if !slots[at].is_undefined() {
+                continue;
+            }
+            let default = if at < linked.positional {
+                at.checked_sub(without_default).and_then(|i| function.defaults.get(i))
+            } else {
+                function.kwdefaults.iter().find(|d| d.0 == linked.params[at]).map(|d| &d.1)
+            };
+            match default {
+                Some(value) => set(&mut slots[at], value),
+                None => return false,
+            }
+        }
+        true
+    }
+
     /// Brings the arguments into the order of the parameters, with defaults, `*args` and `**kwargs`.
     fn bind_parameters(&mut self, function: Ref<Function>, linked: &Linked, start: usize, keywords: &[(Symbol, Value)]) -> R<()> {
+        if self.bind_quickly(function, linked, start, keywords) {
+            return Ok(());
+        }
         let params = &linked.code().params;
         let (positional, posonly, kwonly) =
             (usize::from(params.positional), usize::from(params.positional_only), usize::from(params.keyword_only));

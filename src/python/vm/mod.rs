@@ -3,6 +3,7 @@
 //! Invariants: frames of Python functions use no Rust stack; native code that calls back into Python grows the Rust stack where it must;
 //! the collector runs only in the outermost loop; a stop (limits, cancellation) passes every handler of the program.
 
+mod advance;
 mod assign;
 mod attr;
 mod call;
@@ -10,6 +11,7 @@ mod class;
 mod default_repr;
 mod errors;
 mod except;
+mod fast;
 mod generator;
 mod import;
 mod inspect;
@@ -18,6 +20,7 @@ mod matching;
 mod operate;
 mod protocol;
 mod provenance;
+mod rare;
 mod run;
 mod show;
 mod start;
@@ -27,7 +30,7 @@ pub use limits::Limits;
 pub use provenance::{CallChain, PathStep};
 pub use start::{Options, Outcome, Shown, Uncaught};
 
-use super::code::{Code, ConstantId, DirectionId, Program};
+use super::code::{Code, ConstantId, DirectionId, Op, Program};
 use super::frame::Frame;
 use super::heap::{Class, Heap, Module, Ref};
 use super::host::Host;
@@ -46,14 +49,20 @@ pub struct Linked {
     program: Arc<Program>,
     /// Its number there.
     number: u32,
+    /// Its instructions, near at hand for the main loop.
+    ops: Box<[Op]>,
     /// The code objects of its program begin here; the program that is run has 0, modules that come with psdl follow.
     first: u32,
     consts: Vec<Value>,
     names: Vec<Symbol>,
     /// Names of the parameters, in the order of the locals.
     params: Vec<Symbol>,
+    /// For each constant that names the keywords of a call, those names.
+    keywords: Vec<Box<[Symbol]>>,
     /// Only positional parameters.
     simple: bool,
+    /// Simple, and neither a generator nor with variables in cells: its frame is made of its arguments as they stand.
+    plain: bool,
     positional: usize,
     /// Locals, cells and captured variables.
     slots: usize,
@@ -71,6 +80,12 @@ impl Linked {
     #[inline(always)]
     fn code(&self) -> &Code {
         &self.program.codes[self.number as usize]
+    }
+
+    /// The names that a constant lists for a call.
+    #[inline(always)]
+    fn keywords(&self, constant: u32) -> &[Symbol] {
+        self.keywords.get(constant as usize).map_or(&[], |names| names)
     }
 }
 

@@ -221,6 +221,19 @@ impl Vm<'_> {
     pub(super) fn format_op(&mut self, conversion: u8, with_spec: bool) -> R<()> {
         let spec = if with_spec { Some(self.pop()) } else { None };
         let value = self.pop();
+        if let (Value::Int(v, h), 0, None) = (value, conversion, spec)
+            && h.is_none()
+        {
+            use std::io::Write;
+            let mut digits = [0; 20];
+            let mut rest = &mut digits[..];
+            let _ = write!(rest, "{v}");
+            let left = rest.len();
+            let text = std::str::from_utf8(&digits[..20 - left]).unwrap_or_default();
+            let text = self.heap.str(text);
+            self.stack.push(text);
+            return Ok(());
+        }
         let value = match conversion {
             b's' => {
                 let t = self.str(value)?;
@@ -253,13 +266,15 @@ impl Vm<'_> {
     }
 
     pub(super) fn build_string(&mut self, n: usize) -> R<()> {
-        let parts: Few = self.stack.drain(self.stack.len() - n..).collect();
-        let mut out = String::new();
-        for part in parts {
+        let at = self.stack.len() - n;
+        let bytes = self.stack[at..].iter().map(|part| if let Value::Str(s) = part { self.heap[*s].text.len() } else { 0 }).sum();
+        let mut out = String::with_capacity(bytes);
+        for part in &self.stack[at..] {
             if let Value::Str(s) = part {
-                out.push_str(&self.heap[s].text);
+                out.push_str(&self.heap[*s].text);
             }
         }
+        self.stack.truncate(at);
         self.charge((out.len() / 64) as u64)?;
         let text = self.heap.str(out);
         self.stack.push(text);

@@ -6,7 +6,7 @@ use super::limits::FIRST_COLLECTION;
 use super::provenance::CallChain;
 use super::{Linked, Vm};
 use crate::python::classes;
-use crate::python::code::{CodeId, Const, ConstantId, DirectionId, Program};
+use crate::python::code::{Code, CodeId, Const, ConstantId, DirectionId, Op, Program};
 use crate::python::error::{R, Raise, Stop};
 use crate::python::frame::{Frame, Return};
 use crate::python::heap::*;
@@ -175,15 +175,20 @@ impl<'h> Vm<'h> {
                 + usize::from(code.params.varargs)
                 + usize::from(code.params.varkw);
             let params: Vec<Symbol> = code.locals.iter().take(parameters).map(|n| self.symbols.intern(n)).collect();
+            let simple = params.len() == usize::from(code.params.positional);
+            let has_cells = !(code.cells.is_empty() && code.frees.is_empty());
             let linked = Linked {
+                keywords: self.keyword_names(code),
+                plain: simple && !has_cells && !code.generator,
+                ops: code.ops.as_slice().into(),
                 number,
                 first,
                 consts,
                 names,
-                simple: params.len() == usize::from(code.params.positional),
+                simple,
                 positional: usize::from(code.params.positional),
                 slots: code.locals.len() + code.cells.len() + code.frees.len(),
-                has_cells: !(code.cells.is_empty() && code.frees.is_empty()),
+                has_cells,
                 generator: code.generator,
                 cost: code.ops.len() as u64,
                 name: self.heap.str(&*code.name),
@@ -198,6 +203,21 @@ impl<'h> Vm<'h> {
             self.codes.push(Rc::new(linked));
         }
         CodeId(first)
+    }
+
+    /// The names of the keywords that calls pass, by the constant that lists them.
+    fn keyword_names(&mut self, code: &Code) -> Vec<Box<[Symbol]>> {
+        let mut names: Vec<Box<[Symbol]>> = Vec::new();
+        for op in &code.ops {
+            let (Op::CallKw { names: at, .. } | Op::CallMethodKw { names: at, .. }) = *op else { continue };
+            let Some(Const::Tuple(texts)) = code.consts.get(at as usize) else { continue };
+            if names.len() <= at as usize {
+                names.resize(at as usize + 1, Box::default());
+            }
+            let texts = texts.iter().filter_map(|text| if let Const::Str(text) = text { Some(&**text) } else { None });
+            names[at as usize] = texts.map(|text| self.symbols.intern(text)).collect();
+        }
+        names
     }
 
     fn constant(&mut self, constant: &Const, own: bool) -> Value {

@@ -75,7 +75,7 @@ fn loops_keep_a_counter_beside_the_iterator() {
        1 LoadFast(0) xs
        2 Call(1)
        3 StartLoop
-       4 ForIter(25)
+       4 ForIter(24)
        5 Unpack(2)
        6 StoreFast(1) i
        7 StoreFast(2) x
@@ -83,25 +83,24 @@ fn loops_keep_a_counter_beside_the_iterator() {
        9 LoadFastAttr { slot: 2, name: 0 } x.n
       10 Dup
       11 Rot3
-      12 CompareJump { op: Lt, target: 16 }
-      13 Const(1) 3
-      14 CompareJump { op: Le, target: 19 }
-      15 Jump(18)
-      16 Pop
-      17 Jump(19)
-      18 JumpBack(4)
-      19 LoadFast(1) i
-      20 PopJumpIfFalse(24)
+      12 CompareJump { op: Lt, target: 15 }
+      13 CompareConstJump { op: Le, constant: 1, target: 18 } 3
+      14 Jump(17)
+      15 Pop
+      16 Jump(18)
+      17 JumpBack(4)
+      18 LoadFast(1) i
+      19 PopJumpIfFalse(23)
+      20 Pop
       21 Pop
-      22 Pop
-      23 Jump(28)
-      24 JumpBack(4)
-      25 BinaryFastFast { op: Mul, a: 1, b: 2 } i x
-      26 BinaryConst { op: Add, constant: 2 } 2
-      27 Return
-      28 Const(3) None
-      29 Return
-      4..25 loops over "i" depth 0
+      22 Jump(27)
+      23 JumpBack(4)
+      24 BinaryFastFast { op: Mul, a: 1, b: 2 } i x
+      25 BinaryConst { op: Add, constant: 2 } 2
+      26 Return
+      27 Const(3) None
+      28 Return
+      4..24 loops over "i" depth 0
     "#);
 }
 
@@ -330,8 +329,8 @@ fn classes_fill_a_namespace() {
        7 StoreName(3) __doc__
        8 Const(2) 1
        9 StoreName(4) n
-      10 LoadName { name: 5, slot: 3 } int
-      11 LoadName { name: 2, slot: 8 } __annotations__
+      10 LoadName(5) int
+      11 LoadName(2) __annotations__
       12 Const(3) "n"
       13 StoreSubscr
       14 LoadClosure(0) __class__
@@ -407,83 +406,78 @@ fn patterns_bind_when_all_of_them_matched() {
        1 LoadGlobal(0) p
        2 Dup
        3 MatchSequence
-       4 PopJumpIfFalse(48)
+       4 PopJumpIfFalse(44)
        5 GetLen
-       6 Const(0) 1
-       7 CompareJump { op: Ge, target: 48 }
-       8 Dup
-       9 Const(1) 0
-      10 LoadSubscr
-      11 Dup
-      12 LoadGlobal(1) K
-      13 Const(2) ("z", "w")
-      14 MatchClass(0)
-      15 Dup
-      16 PopJumpIfNone(22)
-      17 Unpack(2)
-      18 Const(0) 1
-      19 CompareJump { op: Eq, target: 22 }
-      20 StoreFast(0) .match0
-      21 Jump(36)
-      22 Pop
-      23 Dup
-      24 MatchSequence
-      25 PopJumpIfFalse(33)
-      26 GetLen
-      27 Const(3) 2
-      28 CompareJump { op: Eq, target: 33 }
-      29 Unpack(2)
+       6 CompareConstJump { op: Ge, constant: 0, target: 44 } 1
+       7 Dup
+       8 LoadSubscrConst(1) 0
+       9 Dup
+      10 LoadGlobal(1) K
+      11 Const(2) ("z", "w")
+      12 MatchClass(0)
+      13 Dup
+      14 PopJumpIfNone(19)
+      15 Unpack(2)
+      16 CompareConstJump { op: Eq, constant: 0, target: 19 } 1
+      17 StoreFast(0) .match0
+      18 Jump(32)
+      19 Pop
+      20 Dup
+      21 MatchSequence
+      22 PopJumpIfFalse(29)
+      23 GetLen
+      24 CompareConstJump { op: Eq, constant: 3, target: 29 } 2
+      25 Unpack(2)
+      26 Pop
+      27 StoreFast(0) .match0
+      28 Jump(32)
+      29 Pop
       30 Pop
-      31 StoreFast(0) .match0
-      32 Jump(36)
+      31 Jump(44)
+      32 Pop
       33 Pop
-      34 Pop
-      35 Jump(48)
-      36 Pop
-      37 Pop
-      38 LoadFast(0) .match0
-      39 StoreGlobal(2) a
+      34 LoadFast(0) .match0
+      35 StoreGlobal(2) a
+      36 LoadGlobal(2) a
+      37 PopJumpIfFalse(45)
+      38 Pop
+      39 LoadGlobal(3) f
       40 LoadGlobal(2) a
-      41 PopJumpIfFalse(49)
+      41 Call(1)
       42 Pop
-      43 LoadGlobal(3) f
-      44 LoadGlobal(2) a
-      45 Call(1)
-      46 Pop
-      47 Jump(79)
-      48 Pop
-      49 Dup
-      50 MatchMapping
-      51 PopJumpIfFalse(77)
-      52 GetLen
-      53 Const(0) 1
-      54 CompareJump { op: Ge, target: 77 }
-      55 Const(4) "k"
-      56 BuildTuple(1)
-      57 MatchKeys
-      58 Dup
-      59 PopJumpIfNone(75)
-      60 Unpack(1)
-      61 StoreFast(0) .match0
-      62 MatchRest
-      63 StoreFast(1) .match1
-      64 LoadFast(0) .match0
-      65 StoreGlobal(4) v
-      66 LoadFast(1) .match1
-      67 StoreGlobal(5) r
+      43 Jump(74)
+      44 Pop
+      45 Dup
+      46 MatchMapping
+      47 PopJumpIfFalse(72)
+      48 GetLen
+      49 CompareConstJump { op: Ge, constant: 0, target: 72 } 1
+      50 Const(4) "k"
+      51 BuildTuple(1)
+      52 MatchKeys
+      53 Dup
+      54 PopJumpIfNone(70)
+      55 Unpack(1)
+      56 StoreFast(0) .match0
+      57 MatchRest
+      58 StoreFast(1) .match1
+      59 LoadFast(0) .match0
+      60 StoreGlobal(4) v
+      61 LoadFast(1) .match1
+      62 StoreGlobal(5) r
+      63 Pop
+      64 LoadGlobal(6) g
+      65 LoadGlobal(4) v
+      66 LoadGlobal(5) r
+      67 Call(2)
       68 Pop
-      69 LoadGlobal(6) g
-      70 LoadGlobal(4) v
-      71 LoadGlobal(5) r
-      72 Call(2)
+      69 Jump(74)
+      70 Pop
+      71 Pop
+      72 Pop
       73 Pop
-      74 Jump(79)
-      75 Pop
-      76 Pop
-      77 Pop
-      78 Pop
-      79 Const(5) None
-      80 Return
+      74 Const(5) None
+      75 Return
     "#);
 }
 

@@ -15,7 +15,11 @@ use crate::python::value::{BinaryOp, CompareOp, Value};
 use crate::python::vm::Vm;
 
 /// The dict that a method was called on.
+#[inline]
 fn this(vm: &mut Vm<'_>, args: &Args<'_>) -> R<Ref<Dict>> {
+    if let Some(&Value::Dict(dict)) = args.pos.first() {
+        return Ok(dict);
+    }
     match vm.plain(args.at(0)) {
         Value::Dict(dict) => Ok(dict),
         other => {

@@ -88,9 +88,8 @@ fn sort_by(vm: &mut Vm<'_>, items: Vec<Value>, order: Order) -> R<Vec<Value>> {
     if order.reverse {
         places.reverse();
     }
-    match plain_order(&keys) {
-        Some(compare) => places.sort_by(|&a, &b| compare(&vm.heap, keys[a as usize], keys[b as usize])),
-        None => merge_sort(vm, &mut places, &keys)?,
+    if !plain_sort(&vm.heap, &mut places, &keys) {
+        merge_sort(vm, &mut places, &keys)?;
     }
     if order.reverse {
         places.reverse();
@@ -98,26 +97,72 @@ fn sort_by(vm: &mut Vm<'_>, items: Vec<Value>, order: Order) -> R<Vec<Value>> {
     Ok(places.into_iter().map(|p| items[p as usize]).collect())
 }
 
-type Compare = fn(&Heap, Value, Value) -> Ordering;
+/// The kind of a key that is compared without running Python code and without guarding anything.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Plain {
+    Int,
+    Float,
+    Str,
+}
 
-/// The comparison of keys that are all of one plain type and untraced: no Python code runs, nothing is guarded.
-fn plain_order(keys: &[Value]) -> Option<Compare> {
-    let all = |test: fn(&Value) -> bool| keys.iter().all(test);
-    match keys.first()? {
-        Value::Int(..) if all(|k| matches!(k, Value::Int(_, h) if h.is_none())) => Some(|_, a, b| match (a, b) {
-            (Value::Int(a, _), Value::Int(b, _)) => a.cmp(&b),
-            _ => Ordering::Equal,
-        }),
-        Value::Float(..) if all(|k| matches!(k, Value::Float(v, h) if h.is_none() && !v.is_nan())) => Some(|_, a, b| match (a, b) {
-            (Value::Float(a, _), Value::Float(b, _)) => a.partial_cmp(&b).unwrap_or(Ordering::Equal),
-            _ => Ordering::Equal,
-        }),
-        Value::Str(_) if all(|k| matches!(k, Value::Str(_))) => Some(|heap, a, b| match (a, b) {
-            (Value::Str(a), Value::Str(b)) => heap[a].text.cmp(&heap[b].text),
-            _ => Ordering::Equal,
-        }),
+fn plain(key: &Value) -> Option<Plain> {
+    match key {
+        Value::Int(_, h) if h.is_none() => Some(Plain::Int),
+        Value::Float(v, h) if h.is_none() && !v.is_nan() => Some(Plain::Float),
+        Value::Str(_) => Some(Plain::Str),
         _ => None,
     }
+}
+
+/// Compares two keys of one plain kind.
+#[inline]
+fn compare(heap: &Heap, a: &Value, b: &Value) -> Ordering {
+    match (a, b) {
+        (Value::Int(a, _), Value::Int(b, _)) => a.cmp(b),
+        (Value::Float(a, _), Value::Float(b, _)) => a.partial_cmp(b).unwrap_or(Ordering::Equal),
+        (Value::Str(a), Value::Str(b)) if a == b => Ordering::Equal,
+        (Value::Str(a), Value::Str(b)) => heap[*a].text.cmp(&heap[*b].text),
+        _ => Ordering::Equal,
+    }
+}
+
+/// Sorts by keys that are all of one plain kind, or tuples of plain items of which those at the same place are of one kind. `false`, and
+/// nothing is done, where they are not.
+fn plain_sort(heap: &Heap, places: &mut [u32], keys: &[Value]) -> bool {
+    let Some(first) = keys.first() else { return true };
+    if let Some(kind) = plain(first) {
+        if !keys.iter().all(|k| plain(k) == Some(kind)) {
+            return false;
+        }
+        places.sort_by(|&a, &b| compare(heap, &keys[a as usize], &keys[b as usize]));
+        return true;
+    }
+    let Some(rows) = rows(heap, keys) else { return false };
+    places.sort_by(|&a, &b| {
+        let (x, y) = (rows[a as usize], rows[b as usize]);
+        x.iter().zip(y).map(|(p, q)| compare(heap, p, q)).find(|o| o.is_ne()).unwrap_or_else(|| x.len().cmp(&y.len()))
+    });
+    true
+}
+
+/// The items of keys that are tuples of plain items, those at the same place of one kind.
+fn rows<'a>(heap: &'a Heap, keys: &[Value]) -> Option<Vec<&'a [Value]>> {
+    let mut kinds: Vec<Plain> = Vec::new();
+    let mut rows = Vec::with_capacity(keys.len());
+    for key in keys {
+        let Value::Tuple(row) = key else { return None };
+        let row = heap[*row].0.as_slice();
+        for (i, item) in row.iter().enumerate() {
+            let kind = plain(item)?;
+            if i == kinds.len() {
+                kinds.push(kind);
+            } else if kinds[i] != kind {
+                return None;
+            }
+        }
+        rows.push(row);
+    }
+    Some(rows)
 }
 
 /// Stable, by `less` alone: runs that are already in order are taken as they are (as CPython does, whose count of comparisons on sorted input
