@@ -94,11 +94,16 @@ fn hash_text(text: &[u8]) -> i64 {
     (hasher.finish() >> 1) as i64
 }
 
+#[inline]
+fn same_text(heap: &Heap, x: Ref<Str>, y: Ref<Str>) -> bool {
+    x == y || heap[x].text == heap[y].text
+}
+
 /// Whether two keys of equal hash are the same, where that can be said without running Python code.
 fn same_key(heap: &Heap, a: Value, b: Value, depth: u32) -> Option<bool> {
     use Value::*;
     match (a, b) {
-        (Str(x), Str(y)) => return Some(x == y || heap[x].text == heap[y].text),
+        (Str(x), Str(y)) => return Some(same_text(heap, x, y)),
         (Int(x, _), Int(y, _)) => return Some(x == y),
         _ if a.is(b) => return Some(true),
         _ => {}
@@ -187,6 +192,16 @@ impl Vm<'_> {
         })
     }
 
+    /// The same, the common keys at once.
+    #[inline(always)]
+    fn key_hash(&mut self, key: Value) -> R<i64> {
+        match key {
+            Value::Str(s) if self.heap[s].chars > 0 => Ok((self.heap[s].hash() >> 1) as i64),
+            Value::Int(v, h) if h.is_none() => Ok(hash_int(v)),
+            _ => self.hash(key),
+        }
+    }
+
     fn unhashable(&mut self, value: Value) -> R<i64> {
         let name = self.type_name(value);
         Err(self.type_error(format!("unhashable type: '{name}'")))
@@ -266,11 +281,13 @@ impl Vm<'_> {
         Heap: IndexMut<Ref<T>> + Index<Ref<T>, Output = T>,
     {
         let (heap, mut unsure) = (&self.heap, false);
-        let found = heap[of].table().find(hash as u64, |k| {
-            same_key(heap, k, key, SHALLOW).unwrap_or_else(|| {
+        let found = heap[of].table().find(hash as u64, |k| match (k, key) {
+            (Value::Str(x), Value::Str(y)) => same_text(heap, x, y),
+            (Value::Int(x, _), Value::Int(y, _)) => x == y,
+            _ => same_key(heap, k, key, SHALLOW).unwrap_or_else(|| {
                 unsure = true;
                 false
-            })
+            }),
         });
         if found.is_some() || !unsure {
             return Ok(found);
@@ -332,39 +349,39 @@ impl Vm<'_> {
 
     /// `dict[key]`, without `__missing__`.
     pub fn dict_get(&mut self, dict: Ref<Dict>, key: Value) -> R<Option<Value>> {
-        let hash = self.hash(key)?;
+        let hash = self.key_hash(key)?;
         let position = self.position(dict, hash, key)?;
         Ok(position.and_then(|p| self.heap[dict].0.at(p)).map(|e| e.value))
     }
 
     /// `dict[key] = value`
     pub fn dict_set(&mut self, dict: Ref<Dict>, key: Value, value: Value) -> R<()> {
-        let hash = self.hash(key)?;
+        let hash = self.key_hash(key)?;
         self.insert(dict, hash, key, value)
     }
 
     /// Removes a key and gives its value.
     pub fn dict_remove(&mut self, dict: Ref<Dict>, key: Value) -> R<Option<Value>> {
-        let hash = self.hash(key)?;
+        let hash = self.key_hash(key)?;
         let position = self.position(dict, hash, key)?;
         Ok(position.map(|p| self.heap[dict].0.remove(p).value))
     }
 
     /// `key in set`
     pub fn set_has(&mut self, set: Ref<Set>, key: Value) -> R<bool> {
-        let hash = self.hash(key)?;
+        let hash = self.key_hash(key)?;
         Ok(self.position(set, hash, key)?.is_some())
     }
 
     /// `set.add(key)`
     pub fn set_add(&mut self, set: Ref<Set>, key: Value) -> R<()> {
-        let hash = self.hash(key)?;
+        let hash = self.key_hash(key)?;
         self.insert(set, hash, key, Value::None)
     }
 
     /// Removes a key; whether it was there.
     pub fn set_remove(&mut self, set: Ref<Set>, key: Value) -> R<bool> {
-        let hash = self.hash(key)?;
+        let hash = self.key_hash(key)?;
         let position = self.position(set, hash, key)?;
         if let Some(p) = position {
             self.heap[set].0.remove(p);

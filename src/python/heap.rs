@@ -92,13 +92,19 @@ impl Str {
     }
 
     /// The hash of the text, the same in every run; computed once.
+    #[inline]
     pub fn hash(&self) -> u64 {
-        if self.hash.get() == 0 && !self.text.is_empty() {
-            use std::hash::Hasher;
-            let mut hasher = rustc_hash::FxHasher::default();
-            hasher.write(self.text.as_bytes());
-            self.hash.set(hasher.finish().max(1));
+        match self.hash.get() {
+            0 if !self.text.is_empty() => self.compute_hash(),
+            hash => hash,
         }
+    }
+
+    fn compute_hash(&self) -> u64 {
+        use std::hash::Hasher;
+        let mut hasher = rustc_hash::FxHasher::default();
+        hasher.write(self.text.as_bytes());
+        self.hash.set(hasher.finish().max(1));
         self.hash.get()
     }
 }
@@ -308,6 +314,8 @@ pub struct Instance {
 pub struct Generator {
     /// Where it stands; `None` while it runs and once it is over.
     pub frame: Option<Box<SavedFrame>>,
+    /// The empty place for its frame while it runs.
+    pub spare: Option<Box<SavedFrame>>,
     /// True while it runs.
     pub running: bool,
     /// `__name__`

@@ -324,7 +324,7 @@ impl Vm<'_> {
         self.stack.truncate(floor);
         let Function { module, name, qualname, .. } = self.heap[function].clone();
         let frame = Some(Box::new(SavedFrame { code, pc: 0, module, stack, handling: Vec::new() }));
-        let generator = Value::Generator(self.heap.alloc(Generator { frame, running: false, name, qualname, started: false }));
+        let generator = Value::Generator(self.heap.alloc(Generator { frame, spare: None, running: false, name, qualname, started: false }));
         if ret == Return::Instance {
             return Err(self.type_error("__init__() should return None, not 'generator'"));
         }
@@ -367,8 +367,8 @@ impl Vm<'_> {
         }
         let function = &self.heap[function];
         let without_default = linked.positional - function.defaults.len().min(linked.positional);
-        for at in given..slots.len() {
-            if !slots[at].is_undefined() {
+        for (at, slot) in slots.iter_mut().enumerate().skip(given) {
+            if !slot.is_undefined() {
                 continue;
             }
             let default = if at < linked.positional {
@@ -377,7 +377,7 @@ impl Vm<'_> {
                 function.kwdefaults.iter().find(|d| d.0 == linked.params[at]).map(|d| &d.1)
             };
             match default {
-                Some(value) => set(&mut slots[at], value),
+                Some(value) => set(slot, value),
                 None => return false,
             }
         }

@@ -55,8 +55,9 @@ impl Vm<'_> {
         }
         self.heap[g].running = true;
         self.heap[g].started = true;
-        let outcome = self.run_generator(g, *saved, started, resume);
+        let outcome = self.run_generator(g, saved, started, resume);
         self.heap[g].running = false;
+        self.heap[g].spare = None;
         match outcome {
             Ok(value) if self.yielded => {
                 self.yielded = false;
@@ -79,7 +80,7 @@ impl Vm<'_> {
         }
     }
 
-    fn run_generator(&mut self, g: Ref<Generator>, saved: SavedFrame, started: bool, resume: Resume) -> R<Value> {
+    fn run_generator(&mut self, g: Ref<Generator>, mut saved: Box<SavedFrame>, started: bool, resume: Resume) -> R<Value> {
         let base = self.stack.len();
         let frame = Frame {
             code: saved.code,
@@ -92,8 +93,9 @@ impl Vm<'_> {
             handling: self.handling.len() as u32,
             generator: Some(g),
         };
-        self.stack.extend(saved.stack);
-        self.handling.extend(saved.handling);
+        self.stack.append(&mut saved.stack);
+        self.handling.append(&mut saved.handling);
+        self.heap[g].spare = Some(saved);
         self.frames.push(std::mem::replace(&mut self.frame, frame));
         let bottom = self.frames.len() - 1;
         match resume {
@@ -178,12 +180,19 @@ impl Vm<'_> {
     /// Suspends the current frame, which is a generator's; the frame below goes on.
     pub(super) fn suspend(&mut self, value: Value) -> Value {
         let frame = self.frame;
-        let stack = self.stack.split_off(frame.base as usize);
-        let handling = self.handling.split_off((frame.handling as usize).min(self.handling.len()));
-        let saved = SavedFrame { code: frame.code, pc: frame.pc, module: frame.module, stack, handling };
+        let base = frame.base as usize;
+        let handling = (frame.handling as usize).min(self.handling.len());
         if let Some(g) = frame.generator {
-            self.heap[g].frame = Some(Box::new(saved));
+            let generator = &mut self.heap[g];
+            if let Some(mut saved) = generator.spare.take() {
+                saved.pc = frame.pc;
+                saved.stack.extend_from_slice(&self.stack[base..]);
+                saved.handling.extend_from_slice(&self.handling[handling..]);
+                generator.frame = Some(saved);
+            }
         }
+        self.stack.truncate(base);
+        self.handling.truncate(handling);
         if let Some(below) = self.frames.pop() {
             self.frame = below;
         }

@@ -130,19 +130,89 @@ fn compare(heap: &Heap, a: &Value, b: &Value) -> Ordering {
 /// nothing is done, where they are not.
 fn plain_sort(heap: &Heap, places: &mut [u32], keys: &[Value]) -> bool {
     let Some(first) = keys.first() else { return true };
-    if let Some(kind) = plain(first) {
-        if !keys.iter().all(|k| plain(k) == Some(kind)) {
-            return false;
+    let rows = match plain(first) {
+        Some(kind) => {
+            if !keys.iter().all(|k| plain(k) == Some(kind)) {
+                return false;
+            }
+            keys.iter().map(std::slice::from_ref).collect()
         }
-        places.sort_by(|&a, &b| compare(heap, &keys[a as usize], &keys[b as usize]));
-        return true;
-    }
-    let Some(rows) = rows(heap, keys) else { return false };
-    places.sort_by(|&a, &b| {
-        let (x, y) = (rows[a as usize], rows[b as usize]);
-        x.iter().zip(y).map(|(p, q)| compare(heap, p, q)).find(|o| o.is_ne()).unwrap_or_else(|| x.len().cmp(&y.len()))
+        None => match rows(heap, keys) {
+            Some(rows) => rows,
+            None => return false,
+        },
+    };
+    let mut heads: Vec<Head> = places.iter().map(|&place| Head::of(heap, rows[place as usize], place)).collect();
+    heads.sort_by(|a, b| {
+        a.compare(b).unwrap_or_else(|| {
+            let (x, y) = (rows[a.place as usize], rows[b.place as usize]);
+            x.iter().zip(y).map(|(p, q)| compare(heap, p, q)).find(|o| o.is_ne()).unwrap_or_else(|| x.len().cmp(&y.len()))
+        })
     });
+    for (place, head) in places.iter_mut().zip(heads) {
+        *place = head.place;
+    }
     true
+}
+
+/// The beginning of a key in numbers of the same order, so that most comparisons need not look at the key itself.
+struct Head {
+    items: [u64; 2],
+    /// How many of the two say all of their item.
+    whole: u8,
+    place: u32,
+}
+
+impl Head {
+    fn of(heap: &Heap, row: &[Value], place: u32) -> Head {
+        let (mut items, mut whole) = ([0; 2], 0);
+        for (head, item) in items.iter_mut().zip(row) {
+            let complete = match item {
+                Value::Int(v, _) => {
+                    *head = (*v as u64) ^ (1 << 63);
+                    true
+                }
+                Value::Float(v, _) => {
+                    // Both zeros are equal.
+                    let bits = (v + 0.0).to_bits();
+                    *head = if bits >> 63 == 1 { !bits } else { bits | 1 << 63 };
+                    true
+                }
+                Value::Str(s) => {
+                    // Seven bytes and, as the last, how many there are.
+                    let text = heap[*s].text.as_bytes();
+                    let mut bytes = [0; 8];
+                    for (byte, own) in bytes.iter_mut().zip(&text[..text.len().min(7)]) {
+                        *byte = *own;
+                    }
+                    bytes[7] = text.len().min(8) as u8;
+                    *head = u64::from_be_bytes(bytes);
+                    text.len() < 8
+                }
+                _ => false,
+            };
+            if !complete {
+                break;
+            }
+            whole += 1;
+        }
+        Head { items, whole, place }
+    }
+
+    /// The order, where the heads say it.
+    #[inline]
+    fn compare(&self, other: &Head) -> Option<Ordering> {
+        for (i, (a, b)) in self.items.iter().zip(&other.items).enumerate() {
+            if i > usize::from(self.whole.min(other.whole)) {
+                return None;
+            }
+            match a.cmp(b) {
+                Ordering::Equal => {}
+                order => return Some(order),
+            }
+        }
+        None
+    }
 }
 
 /// The items of keys that are tuples of plain items, those at the same place of one kind.

@@ -16,7 +16,7 @@ fn list_of(vm: &mut Vm<'_>, text: Ref<Str>, parts: Vec<Range<usize>>) -> R<Value
     let items = parts
         .into_iter()
         .map(|part| {
-            let piece = vm.text(text)[part].to_string();
+            let piece: Box<str> = vm.text(text)[part].into();
             vm.new_str(piece)
         })
         .collect();
@@ -50,6 +50,9 @@ fn split_at(vm: &mut Vm<'_>, args: Args<'_>, name: &str, from_end: bool) -> R<Va
 
 /// The words of a text, at most so many splits; what is left over stays as it is, but for the blanks at the side where splitting began.
 fn words(text: &str, most: usize, from_end: bool) -> Vec<Range<usize>> {
+    if text.is_ascii() && most == usize::MAX {
+        return ascii_words(text.as_bytes());
+    }
     let mut parts = Vec::new();
     let mut rest = 0..text.len();
     loop {
@@ -84,6 +87,18 @@ fn words(text: &str, most: usize, from_end: bool) -> Vec<Range<usize>> {
     }
     if from_end {
         parts.reverse();
+    }
+    parts
+}
+
+/// All words of an ASCII text.
+fn ascii_words(text: &[u8]) -> Vec<Range<usize>> {
+    let blank = |byte: &u8| matches!(byte, b'\t'..=b'\r' | 0x1C..=b' ');
+    let mut parts = Vec::new();
+    let mut at = 0;
+    while let Some(start) = text[at..].iter().position(|b| !blank(b)).map(|n| at + n) {
+        at = text[start..].iter().position(blank).map_or(text.len(), |n| start + n);
+        parts.push(start..at);
     }
     parts
 }
