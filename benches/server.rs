@@ -16,6 +16,9 @@ use std::time::{Duration, Instant};
 
 /// Keys that are pressed in each program.
 const KEYS: i32 = 60;
+/// Findings of each program whose actions are asked for, and corrections of it.
+const ACTIONS: usize = 8;
+const SEARCHES: usize = 3;
 /// Edits of the test of endurance.
 const EDITS: i32 = 100_000;
 
@@ -107,6 +110,54 @@ fn keys(programs: &[Program]) {
     client.finish();
 }
 
+/// The actions for each finding, each after a key, so that nothing is known about the text; and the correction of the whole program.
+fn fixes(programs: &[Program]) {
+    let mut able = capabilities("utf-16");
+    able["textDocument"]["codeAction"] = json!({"dataSupport": true, "resolveSupport": {"properties": ["edit"]}});
+    let mut client = Client::start(able);
+    let (mut lists, mut searches, mut offered) = (Vec::new(), Vec::new(), 0);
+    for program in programs {
+        client.open(&program.uri, 0, &program.text);
+        let mut version = 0;
+        let mut found = client.diagnostics(&program.uri, version);
+        let mut press = |client: &mut Client| {
+            version += 1;
+            client.change(&program.uri, version, key(program, version));
+            client.diagnostics(&program.uri, version)
+        };
+        let ask = |range: &Value, only: Value| json!({"textDocument": {"uri": program.uri}, "range": range, "context": {"diagnostics": [], "only": only}});
+        for at in 0..found.len().min(ACTIONS) {
+            let Some(range) = found.get(at).map(|finding| finding["range"].clone()) else { break };
+            let start = Instant::now();
+            let answer = client.request("textDocument/codeAction", ask(&range, Value::Null));
+            lists.push(start.elapsed());
+            offered += answer["result"].as_array().map_or(0, Vec::len);
+            found = press(&mut client);
+        }
+        for _ in 0..SEARCHES {
+            press(&mut client);
+            let start = json!({"line": 0, "character": 0});
+            let range = json!({"start": start, "end": start});
+            let answer = client.request("textDocument/codeAction", ask(&range, json!(["source.fixAll"])));
+            let Some(action) = answer["result"].get(0) else { break };
+            let start = Instant::now();
+            client.request("codeAction/resolve", action.clone());
+            searches.push(start.elapsed());
+        }
+        client.close(&program.uri);
+        client.published(&program.uri);
+    }
+    for (what, times, allowed) in [("code actions for a finding", &mut lists, 20), ("resolve of the whole correction", &mut searches, 60)] {
+        if !times.is_empty() {
+            let count = times.len();
+            let (middle, most, worst) = (at(times, 0.5), at(times, 0.95), at(times, 1.0));
+            println!("{what}: {count} times, p50 {middle:.2} ms, p95 {most:.2} ms, worst {worst:.2} ms (allowed: p95 {allowed} ms)");
+        }
+    }
+    println!("{offered} actions were offered\n");
+    client.finish();
+}
+
 fn endurance(programs: &[Program]) {
     let mut client = Client::start(capabilities("utf-16"));
     for program in programs {
@@ -145,5 +196,6 @@ fn main() {
     let programs = programs();
     starts();
     keys(&programs);
+    fixes(&programs);
     endurance(&programs);
 }

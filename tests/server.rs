@@ -16,7 +16,11 @@ mod hostile;
 mod pull;
 #[path = "server/reading.rs"]
 mod reading;
+#[path = "server/scenes.rs"]
+mod scenes;
 #[path = "server/soak.rs"]
 mod soak;
 #[path = "server/stale.rs"]
 mod stale;
+#[path = "server/workspace.rs"]
+mod workspace;

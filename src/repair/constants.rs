@@ -1,13 +1,18 @@
 //! The tunable constants of a program as people see them: what they are called, what they move, and where no errors are.
 
-use ruff_text_size::{Ranged as _, TextRange};
-use rustc_hash::FxHashMap;
+use std::sync::atomic::{AtomicBool, Ordering};
 
+use ruff_text_size::{Ranged as _, TextRange};
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use crate::check::{ErrorKind, Violation, check};
 use crate::syntax::ast::visitor::{self, Visitor};
 use crate::syntax::ast::{self, Expr, Stmt};
 use crate::syntax::{ConstantId, Parsed};
 
+use super::changes::{Change, Changes};
 use super::problem::Problem;
+use super::state::State;
 
 /// What the constants of a program are called: the variable, parameter, keyword or key that one is given to as it is.
 #[derive(Clone, Debug, Default)]
@@ -93,4 +98,214 @@ impl<'a> Visitor<'a> for Finder {
         }
         visitor::walk_expr(self, expr);
     }
+}
+
+/// A tunable constant as people see it.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Tunable {
+    /// Which.
+    pub id: ConstantId,
+    /// What it is called.
+    pub name: Option<String>,
+    /// The intervals around its value, or nearest to it, in which it causes no errors; `None` is an open end.
+    pub good: Vec<(Option<f64>, Option<f64>)>,
+    /// The objects that it moves, as indices of the layout, and how far each unit more moves them along each axis. Metres.
+    pub moves: Vec<(usize, [f64; 3])>,
+    /// Errors now among the objects that it moves.
+    pub errors: usize,
+}
+
+/// So many objects of a constant are asked for the values at which they meet others.
+const ASKED: usize = 24;
+/// So many such values are looked at on each side.
+const STOPS: usize = 40;
+/// So many values on each side are looked at where a constant causes errors as it is.
+const SEARCHED: usize = 24;
+/// So many runs of the program are made for one constant.
+const RUNS: usize = 12;
+/// How closely the end of an interval is found: steps of bisection.
+const BISECTIONS: usize = 14;
+/// A value so far beyond the last meeting stands for all that lie further. In the units of the constant.
+const FAR: f64 = 1e3;
+/// Of an open interval so much is looked at once more, at so many values. In the units of the constant.
+const OPEN: f64 = 8.0;
+const BETWEEN: u32 = 16;
+
+/// All constants that may be rewritten, in the order of the text. Ends early where it is cancelled.
+pub fn tunables(problem: &Problem, names: &Names, cancel: Option<&AtomicBool>) -> Vec<Tunable> {
+    let Some(mut base) = State::run(problem, Changes::default()) else { return Vec::new() };
+    let known: FxHashSet<Key> = base.violations.iter().map(key).collect();
+    let mut found = Vec::new();
+    for at in 0..problem.tuning().constants.len() {
+        let id = ConstantId(u32::try_from(at).unwrap_or(u32::MAX));
+        if cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed)) {
+            break;
+        }
+        if problem.is_free(id) {
+            let name = names.get(problem, id).map(str::to_string);
+            let literal = base.literals().binary_search_by_key(&id.0, |slice| slice.id).ok();
+            found.push(match literal {
+                Some(literal) => tunable(problem, &mut base, &known, id, literal, name),
+                None => Tunable { id, name, good: vec![(None, None)], moves: Vec::new(), errors: 0 },
+            });
+        }
+    }
+    found
+}
+
+fn tunable(problem: &Problem, base: &mut State, known: &FxHashSet<Key>, id: ConstantId, literal: usize, name: Option<String>) -> Tunable {
+    let slopes = base.slopes(literal);
+    let moves: Vec<(usize, [f64; 3])> = slopes.iter().map(|(object, slope)| (*object as usize, *slope)).collect();
+    let reached: FxHashSet<u32> = slopes.iter().map(|(object, _)| *object).collect();
+    let takes_part =
+        |error: &Violation| [Some(error.culprit), error.other, error.support].into_iter().flatten().any(|object| reached.contains(&object));
+    let errors = base.violations.iter().filter(|error| takes_part(error)).count();
+    let value = base.value(literal);
+    let stops = stops(base, &moves, value);
+    let mut runs = RUNS;
+    let good = |base: &mut State, at: f64| {
+        let causes = |errors: &[Violation]| errors.iter().any(|error| takes_part(error) || !known.contains(&key(error)));
+        if let Some((_, errors)) = base.try_errors(problem, literal, at) {
+            return !causes(&errors);
+        }
+        let Some(left) = runs.checked_sub(1) else { return false };
+        runs = left;
+        let changes = Changes::default().with(Change::Constant(id, at), problem.tuning());
+        let Some(ran) = problem.run(&changes, false) else { return false };
+        let verdict = check(&ran.layout, &problem.options().rules);
+        !causes(&verdict.counted().copied().collect::<Vec<_>>())
+    };
+    let good = Intervals { value, stops, base, good }.find();
+    Tunable { id, name, good, moves, errors }
+}
+
+/// The values at which an object that moves meets another, a wall or the ground.
+fn stops(base: &State, moves: &[(usize, [f64; 3])], value: f64) -> Vec<f64> {
+    let stride = moves.len().div_ceil(ASKED).max(1);
+    let slope_of = |object: usize| moves.binary_search_by_key(&object, |(moved, _)| *moved).map_or([0.0; 3], |at| moves[at].1);
+    let bounds = base.bounds();
+    let mut stops = Vec::new();
+    for (object, slope) in moves.iter().step_by(stride) {
+        let body = &base.bodies[*object];
+        for k in 0..3 {
+            let mut stop = |shift: f64, slope: f64| {
+                let at = value + shift / slope;
+                if at.is_finite() && (at - value).abs() < FAR && at != value {
+                    stops.push(at);
+                }
+            };
+            stop(bounds.min[k] - body.min[k], slope[k]);
+            stop(bounds.max[k] - body.max[k], slope[k]);
+            for (other, second) in base.bodies.iter().enumerate().filter(|(other, second)| other != object && second.is_placed()) {
+                let relative = slope[k] - slope_of(other)[k];
+                if relative != 0.0 {
+                    stop(second.max[k] - body.min[k], relative);
+                    stop(second.min[k] - body.max[k], relative);
+                }
+            }
+        }
+    }
+    stops.sort_by(f64::total_cmp);
+    stops.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+    stops
+}
+
+/// The search for the values without errors.
+struct Intervals<'a, G> {
+    value: f64,
+    stops: Vec<f64>,
+    base: &'a mut State,
+    good: G,
+}
+
+impl<G: FnMut(&mut State, f64) -> bool> Intervals<'_, G> {
+    fn is_good(&mut self, at: f64) -> bool {
+        (self.good)(self.base, at)
+    }
+
+    fn find(mut self) -> Vec<(Option<f64>, Option<f64>)> {
+        let value = self.value;
+        if self.is_good(value) {
+            return vec![(self.end(value, -1.0), self.end(value, 1.0))];
+        }
+        let below = self.nearest(-1.0).map(|(bad, good)| (self.end(good, -1.0), Some(self.edge(good, bad))));
+        let above = self.nearest(1.0).map(|(bad, good)| (Some(self.edge(good, bad)), self.end(good, 1.0)));
+        below.into_iter().chain(above).collect()
+    }
+
+    /// The values to look at from a place on: each stop, and between them.
+    fn samples(&self, from: f64, side: f64, count: usize) -> Vec<f64> {
+        let mut stops: Vec<f64> = self.stops.iter().copied().filter(|stop| (stop - from) * side > 1e-9).collect();
+        stops.sort_by(|a, b| (a * side).total_cmp(&(b * side)));
+        let all = stops.len() <= count;
+        stops.truncate(count);
+        let mut samples = Vec::new();
+        let mut last = from;
+        for stop in stops {
+            samples.extend([0.5 * (last + stop), stop]);
+            last = stop;
+        }
+        if all {
+            samples.extend([last + 0.05 * side, last + FAR * side]);
+        }
+        samples
+    }
+
+    /// How far no errors go from a good value; open where they go on for ever. What the meetings do not tell (a decision of the program
+    /// between two of them) is looked for at some values in between.
+    fn end(&mut self, from: f64, side: f64) -> Option<f64> {
+        let end = self.straight_end(from, side);
+        let far = end.unwrap_or(from + OPEN * side);
+        let mut last = from;
+        for part in 1..BETWEEN {
+            let between = from + (far - from) * f64::from(part) / f64::from(BETWEEN);
+            if !self.is_good(between) {
+                return Some(self.edge(last, between));
+            }
+            last = between;
+        }
+        end
+    }
+
+    fn straight_end(&mut self, from: f64, side: f64) -> Option<f64> {
+        let mut last = from;
+        for sample in self.samples(from, side, STOPS) {
+            if !self.is_good(sample) {
+                return Some(self.edge(last, sample));
+            }
+            last = sample;
+        }
+        ((last - from).abs() < FAR).then_some(last)
+    }
+
+    /// The last bad and the first good value on a side.
+    fn nearest(&mut self, side: f64) -> Option<(f64, f64)> {
+        let mut last = self.value;
+        for sample in self.samples(self.value, side, SEARCHED) {
+            if self.is_good(sample) {
+                return Some((last, sample));
+            }
+            last = sample;
+        }
+        None
+    }
+
+    /// The good value next to a bad one.
+    fn edge(&mut self, mut good: f64, mut bad: f64) -> f64 {
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (good + bad);
+            if self.is_good(middle) {
+                good = middle;
+            } else {
+                bad = middle;
+            }
+        }
+        good
+    }
+}
+
+type Key = (ErrorKind, u32, Option<u32>);
+
+fn key(error: &Violation) -> Key {
+    (error.kind, error.culprit, error.other)
 }

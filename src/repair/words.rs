@@ -24,12 +24,8 @@ pub fn title(problem: &Problem, names: &Names, suggestion: &Suggestion, beside: 
         let line = lines.line(range.start());
         let place = if here.contains(&line) { String::new() } else { format!(" on line {}", line + 1) };
         parts.push(match change {
-            Change::Constant(id, _) => match names.get(problem, id) {
-                Some(name) => format!("change {} {old} → {}", shown(name), new.trim()),
-                None => format!("change {old}{place} → {}", new.trim()),
-            },
-            Change::Turn(..) if suggestion.turned.is_empty() => format!("write {} for {old}{place}", new.trim()),
-            Change::Turn(..) => format!("turn {} to {}", objects(problem, &suggestion.turned), new.trim()),
+            Change::Turn(..) if !suggestion.turned.is_empty() => format!("turn {} to {}", objects(problem, &suggestion.turned), new.trim()),
+            _ => rewriting(problem, names, change, &old, &new, &place),
         });
     }
     let mut title = format!("{}: clears {}", capitalised(&parts.join(" and ")), counted(&suggestion.clears));
@@ -42,6 +38,24 @@ pub fn title(problem: &Problem, names: &Names, suggestion: &Suggestion, beside: 
         title.push_str(&format!(", moves {}", objects(problem, &suggestion.moved)));
     }
     title
+}
+
+/// What a change rewrites, with its line.
+pub(super) fn change_words(problem: &Problem, names: &Names, change: Change, lines: &LineIndex) -> String {
+    let Some((range, new)) = edit_of(problem, change) else { return String::new() };
+    let old = shown(problem.text().get(range.start().to_usize()..range.end().to_usize()).unwrap_or_default());
+    rewriting(problem, names, change, &old, &new, &format!(" on line {}", lines.line(range.start()) + 1))
+}
+
+fn rewriting(problem: &Problem, names: &Names, change: Change, old: &str, new: &str, place: &str) -> String {
+    let new = new.trim();
+    match change {
+        Change::Constant(id, _) => match names.get(problem, id) {
+            Some(name) => format!("change {} {old} → {new}", shown(name)),
+            None => format!("change {old}{place} → {new}"),
+        },
+        Change::Turn(..) => format!("write {new} for {old}{place}"),
+    }
 }
 
 /// What each edit of a fix does, given the others, in the order of its edits.
@@ -110,7 +124,7 @@ fn noun(kind: ErrorKind) -> &'static str {
 }
 
 /// A text of the program on one line, cut short.
-fn shown(text: &str) -> String {
+pub(super) fn shown(text: &str) -> String {
     let line: String = text.split_whitespace().collect::<Vec<_>>().join(" ");
     match line.char_indices().nth(LONG) {
         Some((at, _)) => format!("{}…", &line[..at]),
@@ -118,7 +132,7 @@ fn shown(text: &str) -> String {
     }
 }
 
-fn capitalised(text: &str) -> String {
+pub(super) fn capitalised(text: &str) -> String {
     let mut chars = text.chars();
     chars.next().map_or(String::new(), |first| first.to_uppercase().chain(chars).collect())
 }

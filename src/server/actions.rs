@@ -2,10 +2,11 @@
 
 use super::client::Client;
 use super::diagnostics::Report;
+use super::document;
 use super::run::Text;
 use super::study::Study;
 use crate::check::finding::{Code, Finding, Place};
-use crate::ide::{self, Offer, Search};
+use crate::ide::{self, Ground, Offer, RefactoringKind, Search, Sidecar};
 use crate::repair::Watch;
 use crate::syntax::{Edit, LineColumn};
 use ruff_text_size::{TextRange, TextSize};
@@ -14,8 +15,9 @@ use std::collections::HashMap;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use tower_lsp_server::ls_types::{
-    AnnotatedTextEdit, ChangeAnnotation, CodeAction, CodeActionKind, CodeActionOrCommand, CodeActionParams, Command, Diagnostic,
-    DocumentChanges, OneOf, OptionalVersionedTextDocumentIdentifier, Position, Range, TextDocumentEdit, TextEdit, Uri, WorkspaceEdit,
+    AnnotatedTextEdit, ChangeAnnotation, CodeAction, CodeActionKind, CodeActionOrCommand, CodeActionParams, Command, CreateFile,
+    DeleteFile, Diagnostic, DocumentChangeOperation, DocumentChanges, OneOf, OptionalVersionedTextDocumentIdentifier, Position, Range,
+    ResourceOp, TextDocumentEdit, TextEdit, Uri, WorkspaceEdit,
 };
 
 /// Edits that move more objects than this are shown before they are made, where the client can.
@@ -72,7 +74,14 @@ pub(super) fn list(study: &Study, params: &CodeActionParams, client: Client, wat
         let search = ide::search::whole(asked.fresh().map(|(finding, _)| finding));
         actions.extend(search.map(|search| asked.search(&search, FIX_ALL)));
     }
+    actions.extend(asked.refactorings(watch));
     actions.into_iter().map(CodeActionOrCommand::CodeAction).collect()
+}
+
+/// The kinds of actions that are offered.
+pub(super) fn action_kinds() -> Vec<CodeActionKind> {
+    let rewritings = RefactoringKind::ALL.map(|kind| CodeActionKind::new(kind.name()));
+    [CodeActionKind::QUICKFIX, FIX_ALL].into_iter().chain(rewritings).collect()
 }
 
 impl Asked<'_> {
@@ -189,6 +198,50 @@ impl Asked<'_> {
             }
         }
         actions
+    }
+
+    /// Rewritings that keep the scene.
+    fn refactorings(&self, watch: &Watch) -> Vec<CodeAction> {
+        let wanted = |kind: RefactoringKind| self.wants(&CodeActionKind::new(kind.name()));
+        if !RefactoringKind::ALL.into_iter().any(wanted) {
+            return Vec::new();
+        }
+        let Some(problem) = self.study.with_lab(watch, |lab| lab.problem.clone()) else { return Vec::new() };
+        let has_place = self.client.makes_files && self.client.document_changes && self.sidecar().is_some();
+        let ground = Ground { problem: &problem, template: self.study.input().template, has_place };
+        let action = |found: ide::Refactoring| CodeAction {
+            kind: Some(CodeActionKind::new(found.kind.name())),
+            edit: Some(self.with_sidecar(workspace_edit(&self.report().text, &found.edits, self.client), found.sidecar)),
+            title: found.title,
+            ..CodeAction::default()
+        };
+        ide::refactorings(&ground, self.range, &wanted).into_iter().map(action).collect()
+    }
+
+    /// Where the template of the program stands, or would.
+    fn sidecar(&self) -> Option<Uri> {
+        let path = document::file_path(self.report().text.uri.as_ref()?)?;
+        Uri::from_file_path(document::template_of(&path))
+    }
+
+    fn with_sidecar(&self, edit: WorkspaceEdit, change: Option<Sidecar>) -> WorkspaceEdit {
+        let (Some(change), Some(uri)) = (change, self.sidecar()) else { return edit };
+        let Some(DocumentChanges::Edits(edits)) = edit.document_changes else { return edit };
+        let mut operations: Vec<DocumentChangeOperation> = edits.into_iter().map(DocumentChangeOperation::Edit).collect();
+        match change {
+            Sidecar::Deleted => {
+                let delete = DeleteFile { uri, options: None, annotation_id: None };
+                operations.push(DocumentChangeOperation::Op(ResourceOp::Delete(delete)));
+            }
+            Sidecar::Created(text) => {
+                let create = CreateFile { uri: uri.clone(), options: None, annotation_id: None };
+                operations.push(DocumentChangeOperation::Op(ResourceOp::Create(create)));
+                let text_document = OptionalVersionedTextDocumentIdentifier { uri, version: None };
+                let edits = vec![OneOf::Left(TextEdit::new(Range::default(), text))];
+                operations.push(DocumentChangeOperation::Edit(TextDocumentEdit { text_document, edits }));
+            }
+        }
+        WorkspaceEdit { document_changes: Some(DocumentChanges::Operations(operations)), ..edit }
     }
 
     fn action(&self, title: String, kind: CodeActionKind, what: What) -> CodeAction {

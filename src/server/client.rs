@@ -1,15 +1,15 @@
 //! What the client can do, and what is offered to it in return.
 
-use super::actions::FIX_ALL;
+use super::actions::action_kinds;
 use super::requests::COMMANDS;
 use crate::syntax::Encoding;
-use tower_lsp_server::ls_types::ExecuteCommandOptions;
 use tower_lsp_server::ls_types::{
     CodeActionKind, CodeActionOptions, CodeActionProviderCapability, DiagnosticOptions, DiagnosticServerCapabilities, DiagnosticTag,
     HoverProviderCapability, InitializeParams, OneOf, PositionEncodingKind, SaveOptions, ServerCapabilities, TextDocumentSyncCapability,
     TextDocumentSyncKind, TextDocumentSyncOptions, TextDocumentSyncSaveOptions, WorkspaceFoldersServerCapabilities,
     WorkspaceServerCapabilities,
 };
+use tower_lsp_server::ls_types::{ExecuteCommandOptions, ResourceOperationKind};
 
 /// What the client can do.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -34,6 +34,8 @@ pub(super) struct Client {
     pub resolves_edits: bool,
     /// It lets the user look at edits before they are made.
     pub annotates: bool,
+    /// It writes and deletes files.
+    pub makes_files: bool,
     /// It shows the progress of work that the server began.
     pub progress: bool,
     /// It watches files when it is asked to.
@@ -63,6 +65,7 @@ impl Default for Client {
             document_changes: false,
             resolves_edits: false,
             annotates: false,
+            makes_files: false,
             progress: false,
             watches: false,
             has_settings: false,
@@ -97,6 +100,9 @@ impl Client {
                 resolves && action.data_support == Some(true)
             }),
             annotates: workspace.and_then(|workspace| workspace.workspace_edit.as_ref()?.change_annotation_support.as_ref()).is_some(),
+            makes_files: workspace.and_then(|workspace| workspace.workspace_edit.as_ref()?.resource_operations.as_ref()).is_some_and(
+                |kinds| [ResourceOperationKind::Create, ResourceOperationKind::Delete].iter().all(|kind| kinds.contains(kind)),
+            ),
             progress: params.capabilities.window.as_ref().and_then(|window| window.work_done_progress).unwrap_or(false),
             watches: workspace.and_then(|workspace| workspace.did_change_watched_files.as_ref()?.dynamic_registration).unwrap_or(false),
             has_settings: workspace.and_then(|workspace| workspace.configuration).unwrap_or(false),
@@ -114,14 +120,11 @@ impl Client {
         let diagnostics = DiagnosticOptions {
             identifier: Some("psdl".into()),
             inter_file_dependencies: true,
-            workspace_diagnostics: false,
+            workspace_diagnostics: self.pulls,
             ..DiagnosticOptions::default()
         };
-        let actions = CodeActionOptions {
-            code_action_kinds: Some(vec![CodeActionKind::QUICKFIX, FIX_ALL]),
-            resolve_provider: Some(true),
-            ..CodeActionOptions::default()
-        };
+        let actions =
+            CodeActionOptions { code_action_kinds: Some(action_kinds()), resolve_provider: Some(true), ..CodeActionOptions::default() };
         let commands = ExecuteCommandOptions { commands: COMMANDS.map(String::from).to_vec(), ..ExecuteCommandOptions::default() };
         ServerCapabilities {
             position_encoding: Some(match self.encoding {

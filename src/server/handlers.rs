@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use tower_lsp_server::LanguageServer;
 use tower_lsp_server::jsonrpc::{Error, ErrorCode, Result};
-use tower_lsp_server::ls_types::{CodeAction, ExecuteCommandParams, LSPAny};
+use tower_lsp_server::ls_types::{CodeAction, ExecuteCommandParams, LSPAny, WorkspaceDiagnosticParams, WorkspaceDiagnosticReportResult};
 use tower_lsp_server::ls_types::{
     CodeActionParams, CodeActionResponse, DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
     DidChangeWorkspaceFoldersParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams,
@@ -219,6 +219,10 @@ impl LanguageServer for Backend {
         })
     }
 
+    async fn workspace_diagnostic(&self, params: WorkspaceDiagnosticParams) -> Result<WorkspaceDiagnosticReportResult> {
+        self.whole_workspace(params).await
+    }
+
     async fn hover(&self, params: HoverParams) -> Result<Option<Hover>> {
         self.show_hover(params).await
     }
@@ -349,7 +353,7 @@ impl Backend {
         let client = state.client;
         drop(state);
         self.shared.wake();
-        if roles.iter().any(|role| matches!(role, Role::Config | Role::Template)) {
+        if roles.iter().any(|role| *role != Role::Other) {
             self.ask_again(client);
         }
     }

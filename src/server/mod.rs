@@ -30,6 +30,7 @@ mod progress;
 mod reading;
 mod requests;
 mod run;
+mod scenes;
 mod settings;
 mod shared;
 mod state;
@@ -38,6 +39,7 @@ mod think;
 mod transport;
 mod view;
 mod watch;
+mod workspace;
 
 pub use log::LogLevel;
 
@@ -83,6 +85,11 @@ pub fn serve(options: &Options) -> io::Result<End> {
     let (service, socket) = LspService::build(backend)
         .custom_method("psdl/text", Backend::text)
         .custom_method("psdl/fix", Backend::fix)
+        .custom_method("psdl/layout", Backend::layout)
+        .custom_method("psdl/constants", Backend::constants)
+        .custom_method("psdl/move", Backend::move_object)
+        .custom_method("psdl/turn", Backend::turn_object)
+        .custom_method("psdl/render", Backend::render)
         .custom_method("window/workDoneProgress/cancel", Backend::cancel_progress)
         .custom_method("$/setTrace", Backend::set_trace)
         .finish();

@@ -115,7 +115,7 @@ impl Backend {
         token: Option<ProgressToken>,
     ) -> Result<Found> {
         let kinds = kinds_named(kinds).ok_or_else(|| Error::invalid_params("there is no such kind of error"))?;
-        let (outcome, client) = self.seen(uri).await?;
+        let (outcome, client) = self.outcome_of(uri).await?;
         let within = range.map(|range| outcome.main.text.bytes(range, client));
         let search = Search { title: String::new(), kinds, within };
         let study = self.shared.study(&outcome);

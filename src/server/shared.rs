@@ -10,6 +10,7 @@ use super::run::{self, Job, Outcome};
 use super::state::{Key, State};
 use super::study::Studies;
 use super::think::Desk;
+use super::workspace::LookedAt;
 use crate::repair::Watch;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -30,6 +31,8 @@ pub(super) struct Shared {
     pub desk: Desk,
     /// What is known about some texts.
     pub studies: Studies,
+    /// What was said about programs that are not open.
+    pub looked_at: LookedAt,
     pub output: Output,
 }
 
@@ -48,7 +51,14 @@ impl std::fmt::Debug for Shared {
 
 impl Shared {
     pub(super) fn new(output: Output) -> Shared {
-        Shared { state: Mutex::default(), work: Condvar::new(), desk: Desk::default(), studies: Studies::default(), output }
+        Shared {
+            state: Mutex::default(),
+            work: Condvar::new(),
+            desk: Desk::default(),
+            studies: Studies::default(),
+            looked_at: LookedAt::default(),
+            output,
+        }
     }
 
     /// The state. A panic under the lock leaves it as it is: each change of it is complete by itself.

@@ -222,6 +222,23 @@ impl State {
         None
     }
 
+    /// The job of looking at a program that is not open.
+    pub(super) fn job_of_file(&self, path: PathBuf) -> Job {
+        let key = Key::Path(path.as_path().into());
+        let template = self.open_template(&key);
+        Job {
+            template: template.map(|document| Open { uri: document.uri.clone(), version: document.version, text: document.text.clone() }),
+            path: Some(path),
+            role: Role::Program,
+            on_disk: true,
+            document: None,
+            resolver: self.resolver.clone(),
+            client: self.client,
+            kept: Vec::new(),
+            cancel: Arc::default(),
+        }
+    }
+
     /// Takes back a run. Returns whether what came of it is what is wanted, and whether there is more to do.
     pub(super) fn done(&mut self, key: &Key, wanted: u64, cancel: &Arc<AtomicBool>) -> (bool, bool) {
         let Some(unit) = self.units.get_mut(key).filter(|unit| unit.running.as_ref().is_some_and(|run| Arc::ptr_eq(run, cancel))) else {
