@@ -10,6 +10,9 @@ use crate::repair::{self, Change, Changes, Problem, Settings, Unfit};
 use crate::scene::Layout;
 use std::path::Path;
 
+/// Pixels of a frame: hundreds of them are kept until the film is written.
+const MOST_PIXELS: u32 = 1_600_000;
+
 /// Corrects a program and films it.
 pub(super) fn film(path: &Path, input: &Input, options: &Options, picture: &render::Options) -> Result<(), Failure> {
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
@@ -19,6 +22,9 @@ pub(super) fn film(path: &Path, input: &Input, options: &Options, picture: &rend
         Some("webp") => Format::Webp,
         _ => return Err(Failure::at(path, &"a film ends in .gif, .apng, .png or .webp")),
     };
+    if picture.size.0 * picture.size.1 > MOST_PIXELS {
+        return Err(Failure::new(format!("a film has at most {MOST_PIXELS} pixels: say --size 1200x750, for example")));
+    }
     let problem = Problem::new(input, options).map_err(|unfit| match unfit {
         Unfit::Broken(_) => Failure::new("the program has errors, so that it cannot be corrected"),
         Unfit::Stopped(_) => Failure::new("the program met a limit before it came to its end; there is nothing to film"),

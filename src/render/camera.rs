@@ -126,6 +126,14 @@ impl Camera {
         }
     }
 
+    /// The direction in which a point of the page lies, from the eye.
+    #[cfg(test)]
+    pub fn ray(&self, at: Point) -> [f64; 3] {
+        let eye = self.eye.expect("a view in perspective");
+        let flat = [(f64::from(at[0]) - self.origin[0]) / self.scale, (self.origin[1] - f64::from(at[1])) / self.scale];
+        [0, 1, 2].map(|k| eye.ahead[k] + flat[0] * eye.right[k] + flat[1] * eye.up[k])
+    }
+
     /// Whether a side of a box is seen.
     pub fn sees(&self, axis: usize, up: bool, at: f64) -> bool {
         match &self.eye {

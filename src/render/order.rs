@@ -10,8 +10,10 @@ use super::solid::{Face, Solid};
 /// Sides that belong together are split into at most so many parts; beyond it they are sorted by distance.
 const MOST_PARTS: usize = 40_000;
 
-/// At most so many pairs of boxes are compared; beyond it boxes are sorted by distance.
-const MOST_PAIRS: usize = 6_000_000;
+/// At most so many pairs of boxes are looked at, and so many that are near each other on the page are compared; beyond it boxes are sorted by
+/// distance.
+const MOST_PAIRS: usize = 8_000_000;
+const MOST_COMPARED: usize = 500_000;
 
 /// The sides that the camera sees, far ones first. With each whether it is but a part of a side.
 pub fn sorted(solids: &[Solid], camera: &Camera, tolerance: f64) -> Vec<Face> {
@@ -59,10 +61,14 @@ impl Outline {
         Outline { hull: hull(points.to_vec()), min, max }
     }
 
-    /// Whether the inner parts of two outlines meet.
-    fn meets(&self, other: &Outline) -> bool {
-        let boxes = (0..2).all(|k| self.min[k] < other.max[k] && other.min[k] < self.max[k]);
-        boxes && !parted(&self.hull, &other.hull) && !parted(&other.hull, &self.hull)
+    /// Whether the rectangles around two outlines meet.
+    fn is_near(&self, other: &Outline) -> bool {
+        (0..2).all(|k| self.min[k] < other.max[k] && other.min[k] < self.max[k])
+    }
+
+    /// Whether the outlines have at most borders in common.
+    fn is_apart(&self, other: &Outline) -> bool {
+        parted(&self.hull, &other.hull) || parted(&other.hull, &self.hull)
     }
 }
 
@@ -117,14 +123,18 @@ fn groups(solids: &[Solid], camera: &Camera, eye: [f64; 3], tolerance: f64) -> V
     by_left.sort_by(|a, b| outlines[*a].min[0].total_cmp(&outlines[*b].min[0]));
     // For each box those that must be painted before it.
     let mut before: Vec<Vec<usize>> = vec![Vec::new(); solids.len()];
-    let mut pairs = 0;
+    let (mut pairs, mut compared) = (0, 0);
     for (at, &a) in by_left.iter().enumerate() {
         for &b in by_left[at + 1..].iter().take_while(|b| outlines[**b].min[0] < outlines[a].max[0]) {
             pairs += 1;
-            if pairs > MOST_PAIRS {
+            if !outlines[a].is_near(&outlines[b]) {
+                continue;
+            }
+            compared += 1;
+            if pairs > MOST_PAIRS || compared > MOST_COMPARED {
                 return by_distance(solids, eye);
             }
-            if !outlines[a].meets(&outlines[b]) {
+            if outlines[a].is_apart(&outlines[b]) {
                 continue;
             }
             if may_hide(&solids[a], &solids[b], eye, tolerance) {
@@ -272,4 +282,104 @@ fn plane(sides: &[Face], tolerance: f64) -> (usize, f64) {
         }
     }
     best.1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::camera::Area;
+    use crate::render::colour::Rgb;
+    use crate::render::solid::Cuboid;
+    use rand::{RngExt as _, SeedableRng};
+
+    const ROOM: Cuboid = Cuboid { min: [-5.0, -5.0, 0.0], max: [5.0, 5.0, 4.0] };
+
+    fn camera() -> Camera {
+        Camera::perspective(&ROOM, &ROOM.corners(), Area { at: [0.0, 0.0], size: [400.0, 300.0] })
+    }
+
+    fn solid(min: [f64; 3], max: [f64; 3]) -> Solid {
+        Solid { object: 0, cuboid: Cuboid { min, max }, colour: Rgb::WHITE, opacity: 1.0 }
+    }
+
+    fn holds(polygon: &[Point], at: Point) -> bool {
+        let turns: Vec<f32> = (0..polygon.len())
+            .map(|k| {
+                let (a, b) = (polygon[k], polygon[(k + 1) % polygon.len()]);
+                (b[0] - a[0]) * (at[1] - a[1]) - (b[1] - a[1]) * (at[0] - a[0])
+            })
+            .collect();
+        turns.iter().all(|turn| *turn >= 0.0) || turns.iter().all(|turn| *turn <= 0.0)
+    }
+
+    /// The box that a ray meets first, and how far the next one is behind it.
+    fn hit(solids: &[Solid], eye: [f64; 3], ray: [f64; 3]) -> Option<(usize, f64)> {
+        let mut hits: Vec<(f64, usize)> = Vec::new();
+        for (index, Solid { cuboid, .. }) in solids.iter().enumerate() {
+            let ways = [0, 1, 2].map(|k| [(cuboid.min[k] - eye[k]) / ray[k], (cuboid.max[k] - eye[k]) / ray[k]]);
+            let enter = ways.iter().map(|way| way[0].min(way[1])).fold(f64::NEG_INFINITY, f64::max);
+            let leave = ways.iter().map(|way| way[0].max(way[1])).fold(f64::INFINITY, f64::min);
+            if enter < leave {
+                hits.push((enter, index));
+            }
+        }
+        hits.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let gap = hits.get(1).map_or(f64::INFINITY, |next| next.0 - hits[0].0);
+        hits.first().map(|first| (first.1, gap))
+    }
+
+    /// What is painted last at points of the page is what a ray meets first.
+    fn assert_right(solids: &[Solid]) {
+        let camera = camera();
+        let eye = camera.eye().expect("an eye");
+        let faces: Vec<(usize, Vec<Point>)> = sorted(solids, &camera, 1e-4)
+            .iter()
+            .map(|face| (face.solid, face.corners().map(|at| camera.project(face.point(at))).to_vec()))
+            .collect();
+        let mut looked = 0;
+        for at in (0..60).flat_map(|x| (0..45).map(move |y| [x as f32 * 6.67 + 0.37, y as f32 * 6.67 + 0.41])) {
+            let Some((expected, gap)) = hit(solids, eye, camera.ray(at)) else { continue };
+            if gap < 0.01 {
+                continue;
+            }
+            let last = faces.iter().rev().find(|(_, polygon)| holds(polygon, at)).map(|(solid, _)| *solid);
+            looked += 1;
+            assert!(last == Some(expected) || last.is_none(), "at {at:?}: {last:?} for {expected}");
+        }
+        assert!(looked > 20, "only {looked} points");
+    }
+
+    #[test]
+    fn near_boxes_hide_far_ones_however_they_overlap() {
+        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(7);
+        for _ in 0..25 {
+            let count = random.random_range(2..40);
+            let solids: Vec<Solid> = (0..count)
+                .map(|_| {
+                    let size: [f64; 3] = std::array::from_fn(|_| random.random_range(0.1..3.0));
+                    let min: [f64; 3] = std::array::from_fn(|k| random.random_range(ROOM.min[k]..ROOM.max[k] - 0.5));
+                    solid(min, [0, 1, 2].map(|k| min[k] + size[k]))
+                })
+                .collect();
+            assert_right(&solids);
+        }
+    }
+
+    #[test]
+    fn three_beams_that_lie_on_each_other_in_a_circle_are_taken_apart() {
+        let beams =
+            [solid([-3.0, -1.0, 0.0], [3.0, 0.0, 1.0]), solid([1.0, -3.0, 1.0], [2.0, 3.0, 2.0]), solid([-3.0, 1.0, 0.5], [1.5, 2.0, 1.6])];
+        assert_right(&beams);
+    }
+
+    #[test]
+    fn boxes_on_each_other_and_in_each_other_are_right() {
+        let stack = [
+            solid([-2.0, -2.0, 0.0], [2.0, 2.0, 1.0]),
+            solid([-1.0, -1.0, 1.0], [1.0, 1.0, 1.5]),
+            solid([-0.5, -0.5, 0.2], [0.5, 0.5, 3.0]),
+            solid([-4.9, -4.9, 0.0], [4.9, 4.9, 0.02]),
+        ];
+        assert_right(&stack);
+    }
 }

@@ -18,7 +18,7 @@ use super::panel::{Panel, worst_first};
 use super::shadow::{Shadows, shadows};
 use super::solid::{Cuboid, Face as Side, Solid, Space};
 use super::stage::Stage;
-use super::text::{counted, fitted, harmless};
+use super::text::{counted, fitted, fitted_name, harmless};
 use super::{Labels, Options, Picture, SIZES, Theme, View};
 
 /// Names are no longer than this, in letters of the size that they are written in.
@@ -139,24 +139,28 @@ impl Page {
         // How wide the views are for their height; in perspective about so.
         let plan = (w / d.max(1e-6)).clamp(0.2, 5.0);
         let perspective = ((0.9 * w + 0.5 * d) / (0.32 * w + 0.58 * d + 0.75 * high).max(1e-6)).clamp(0.5, 3.0);
+        let side_by_side = {
+            let room = rest.size[0] - gap;
+            let first = room * (perspective / (perspective + plan)).clamp(0.4, 0.72);
+            let second = [rest.at[0] + first + gap, rest.at[1]];
+            [Area { at: rest.at, size: [first, rest.size[1]] }, Area { at: second, size: [room - first, rest.size[1]] }]
+        };
+        let stacked = {
+            let room = rest.size[1] - gap;
+            let first = room * (plan / (perspective + plan)).clamp(0.4, 0.72);
+            let second = [rest.at[0], rest.at[1] + first + gap];
+            [Area { at: rest.at, size: [rest.size[0], first] }, Area { at: second, size: [rest.size[0], room - first] }]
+        };
+        let used = |areas: &[Area; 2]| -> f32 {
+            let shapes = [perspective, plan];
+            areas.iter().zip(shapes).map(|(area, shape)| area.size[0].min(area.size[1] * shape)).map(|side| side * side).sum()
+        };
         match view {
             View::Top => vec![(false, rest)],
             View::Perspective => vec![(true, rest)],
-            View::Both if rest.size[0] >= rest.size[1] * 1.1 => {
-                let room = rest.size[0] - gap;
-                let first = room * (perspective / (perspective + plan)).clamp(0.4, 0.72);
-                vec![
-                    (true, Area { at: rest.at, size: [first, rest.size[1]] }),
-                    (false, Area { at: [rest.at[0] + first + gap, rest.at[1]], size: [room - first, rest.size[1]] }),
-                ]
-            }
             View::Both => {
-                let room = rest.size[1] - gap;
-                let first = room * (plan / (perspective + plan)).clamp(0.4, 0.72);
-                vec![
-                    (true, Area { at: rest.at, size: [rest.size[0], first] }),
-                    (false, Area { at: [rest.at[0], rest.at[1] + first + gap], size: [rest.size[0], room - first] }),
-                ]
+                let [first, second] = if used(&stacked) > 1.08 * used(&side_by_side) { stacked } else { side_by_side };
+                vec![(true, first), (false, second)]
             }
         }
     }
@@ -266,7 +270,7 @@ impl Content<'_> {
         let blocked: FxHashSet<u32> =
             self.errors.iter().filter(|error| error.kind == ErrorKind::Clearance).map(|error| error.culprit).collect();
         stage.clearances(out, self.picture.rules, &|index| blocked.contains(&(index as u32)));
-        let shade = Rgb(0x10, 0x16, 0x28).over(if dark { 0.13 } else { 0.10 });
+        let shade = Rgb(0x10, 0x16, 0x28).over(if dark { 0.09 } else { 0.07 });
         stage.shadows(out, &self.shadows.0, shade);
         let solids = if perspective { solid_ones(space) } else { space.solids.clone() };
         let highlight = self.options.highlight.map(|object| (object.0, ink.paper));
@@ -313,17 +317,15 @@ impl Content<'_> {
         let listed: FxHashSet<u32> =
             self.errors.iter().take(self.numbered).flat_map(|error| error.objects()).map(|index| index as u32).collect();
         let pointed = self.options.highlight.map(|object| object.0);
-        let tops: Vec<Side> = solids.iter().enumerate().map(|(index, solid)| Side::of(index, &solid.cuboid, 2, true)).collect();
-        let room = |top: &Side| {
-            let corners = top.corners().map(|at| camera.project(top.point(at)));
-            let of = |k: usize| {
-                corners.iter().map(|p| p[k]).fold(f32::NEG_INFINITY, f32::max) - corners.iter().map(|p| p[k]).fold(f32::INFINITY, f32::min)
-            };
+        let shown: Vec<Shown> = faces.iter().map(|face| Shown::of(face, camera)).collect();
+        let labelled: Vec<Side> = (0..solids.len()).map(|index| side_for_name(index, &solids[index], camera)).collect();
+        let room = |side: &Side| {
+            let Shown { min, max, .. } = Shown::of(side, camera);
             // A rhombus has less room than the rectangle around it.
             let part = if camera.eye().is_some() { 0.86 } else { 1.0 };
-            [of(0) * part, of(1) * part]
+            [(max[0] - min[0]) * part, (max[1] - min[1]) * part]
         };
-        let mut order: Vec<(usize, [f32; 2])> = tops.iter().map(room).enumerate().collect();
+        let mut order: Vec<(usize, [f32; 2])> = labelled.iter().map(room).enumerate().collect();
         let rank = |(index, room): &(usize, [f32; 2])| {
             let object = solids[*index].object;
             (pointed != Some(object), !listed.contains(&object), -(room[0] * room[1]))
@@ -337,15 +339,62 @@ impl Content<'_> {
             .into_iter()
             .take(MOST_NAMES)
             .map(|(index, room)| {
-                let (solid, top) = (&solids[index], &tops[index]);
-                let middle = top.point([0, 1].map(|k| 0.5 * (top.min[k] + top.max[k])));
+                let (solid, side) = (&solids[index], &labelled[index]);
+                let middle = side.point([0, 1].map(|k| 0.5 * (side.min[k] + side.max[k])));
                 let at = camera.project(middle);
-                let seen = is_seen(camera, faces, last_painted[index], index, at);
-                let name = fitted(&self.picture.layout.objects[solid.object as usize].path, Face::Sans, size, size * LONGEST_NAME);
+                let mut later = faces.iter().zip(&shown).skip(last_painted[index] + 1);
+                let seen = !later.any(|(face, shown)| face.solid != index && shown.covers(at));
+                let name = fitted_name(&self.picture.layout.objects[solid.object as usize].path, Face::Sans, size, size * LONGEST_NAME);
                 let beside = self.options.labels == Labels::All || pointed == Some(solid.object);
                 Wish { name, at, room, ground: painter.colour(solid), seen, beside }
             })
             .collect()
+    }
+}
+
+/// The side of a body that its name stands on: the top, unless another side is seen far better.
+fn side_for_name(index: usize, solid: &Solid, camera: &Camera) -> Side {
+    let top = Side::of(index, &solid.cuboid, 2, true);
+    let area = |side: &Side| Shown::of(side, camera).area();
+    let sides = [(0, true), (0, false), (1, true), (1, false)].map(|(axis, up)| Side::of(index, &solid.cuboid, axis, up));
+    let seen = sides.into_iter().filter(|side| camera.sees(side.axis, side.up, side.at));
+    let best = seen.max_by(|a, b| area(a).total_cmp(&area(b)));
+    best.filter(|side| area(side) > 3.0 * area(&top)).unwrap_or(top)
+}
+
+/// A side on the page.
+struct Shown {
+    corners: [[f32; 2]; 4],
+    min: [f32; 2],
+    max: [f32; 2],
+}
+
+impl Shown {
+    fn of(face: &Side, camera: &Camera) -> Shown {
+        let corners = face.corners().map(|at| camera.project(face.point(at)));
+        let of = |k: usize, pick: fn(f32, f32) -> f32| corners.iter().map(|corner| corner[k]).fold(corners[0][k], pick);
+        Shown { corners, min: [of(0, f32::min), of(1, f32::min)], max: [of(0, f32::max), of(1, f32::max)] }
+    }
+
+    /// On which side of each edge a point lies.
+    fn turns(&self, at: [f32; 2]) -> [f32; 4] {
+        std::array::from_fn(|k| {
+            let (a, b) = (self.corners[k], self.corners[(k + 1) % 4]);
+            (b[0] - a[0]) * (at[1] - a[1]) - (b[1] - a[1]) * (at[0] - a[0])
+        })
+    }
+
+    fn covers(&self, at: [f32; 2]) -> bool {
+        let near = (0..2).all(|k| self.min[k] <= at[k] && at[k] <= self.max[k]);
+        near && {
+            let turns = self.turns(at);
+            turns.iter().all(|turn| *turn >= 0.0) || turns.iter().all(|turn| *turn <= 0.0)
+        }
+    }
+
+    /// Square pixels.
+    fn area(&self) -> f32 {
+        self.turns(self.corners[0]).iter().sum::<f32>().abs() / 2.0
     }
 }
 
@@ -356,21 +405,4 @@ fn last_painted(faces: &[Side], solids: usize) -> Vec<usize> {
         last[face.solid] = at;
     }
     last
-}
-
-/// Whether nothing that is painted later covers a point.
-fn is_seen(camera: &Camera, faces: &[Side], after: usize, own: usize, at: [f32; 2]) -> bool {
-    !faces[(after + 1).min(faces.len())..].iter().any(|face| {
-        let corners = face.corners().map(|corner| camera.project(face.point(corner)));
-        let turns = (0..4).map(|k| {
-            let (a, b) = (corners[k], corners[(k + 1) % 4]);
-            (b[0] - a[0]) * (at[1] - a[1]) - (b[1] - a[1]) * (at[0] - a[0])
-        });
-        let (mut left, mut right) = (true, true);
-        for turn in turns {
-            left &= turn >= 0.0;
-            right &= turn <= 0.0;
-        }
-        face.solid != own && (left || right)
-    })
 }

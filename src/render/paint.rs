@@ -82,7 +82,7 @@ impl Painter<'_> {
         let body = self.space.body(solid.object);
         let pixels = self.camera.metre(top.point(top.min));
         let size = [top.max[0] - top.min[0], top.max[1] - top.min[1]];
-        let length = 0.30 * size[0].min(size[1]).min(0.5 * self.space.longest());
+        let length = (0.30 * size[0].min(size[1])).min(0.055 * self.space.longest());
         let told = body.directed || body.told != Told::Never;
         if body.kind != Kind::Object || !told || length * pixels < 2.2 {
             return None;

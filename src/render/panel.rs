@@ -8,7 +8,7 @@ use super::colour::Ink;
 use super::drawing::{Align, Drawing, Part, Text};
 use super::font::Face;
 use super::marks::badge;
-use super::text::{counted, fitted, metres};
+use super::text::{counted, fitted, fitted_name, metres};
 
 /// The errors of a verdict, worst first; what is not placed comes last.
 pub fn worst_first(verdict: &Verdict) -> Vec<Violation> {
@@ -95,32 +95,54 @@ impl Panel {
     }
 }
 
-/// An error in a few words.
+/// An error in a few words. Where it is too long, names are cut.
 fn sentence(layout: &Layout, error: &Violation, size: f32, room: f32) -> String {
-    let name = |index: u32, part: f32| fitted(&layout.objects[index as usize].path, Face::Sans, size, room * part);
-    let culprit = |part| name(error.culprit, part);
-    let other = |part| error.other.map_or("the scene".to_string(), |index| name(index, part));
+    let words = words(layout, error);
+    let wide = |text: &str| Face::Sans.width(text, size);
+    let name = |index: u32| layout.objects[index as usize].path.as_str();
+    let names: Vec<&str> = words.iter().filter_map(|word| if let Word::Name(index) = word { Some(name(*index)) } else { None }).collect();
+    let fixed: f32 = words.iter().map(|word| if let Word::Text(text) = word { wide(text) } else { 0.0 }).sum();
+    let left = (room - fixed).max(size);
+    let widths: Vec<f32> = names.iter().map(|name| wide(&fitted(name, Face::Sans, size, room))).collect();
+    let longest = match widths.iter().sum::<f32>() <= left {
+        true => left,
+        // A short name leaves its room to the other.
+        false => (left - widths.iter().copied().fold(left, f32::min)).max(left / names.len().max(1) as f32),
+    };
+    let shown = words.iter().map(|word| match word {
+        Word::Text(text) => (*text).to_string(),
+        Word::Name(index) => fitted_name(name(*index), Face::Sans, size, longest),
+    });
+    fitted(&shown.collect::<String>(), Face::Sans, size, room)
+}
+
+/// A part of a sentence.
+enum Word {
+    Name(u32),
+    Text(&'static str),
+}
+
+fn words(layout: &Layout, error: &Violation) -> Vec<Word> {
+    let culprit = Word::Name(error.culprit);
+    let other = error.other.map_or(Word::Text("the scene"), Word::Name);
     let body = &layout.objects[error.culprit as usize].body;
-    let text = match error.kind {
-        ErrorKind::OutOfBounds => format!("{} sticks out", culprit(0.65)),
-        ErrorKind::Overlap => format!("{} overlaps {}", culprit(0.4), other(0.4)),
+    match error.kind {
+        ErrorKind::OutOfBounds => vec![culprit, Word::Text(" sticks out")],
+        ErrorKind::Overlap => vec![culprit, Word::Text(" overlaps "), other],
         ErrorKind::Standing => {
             let top = error.support.map_or(0.0, |support| layout.objects[support as usize].body.max[2]);
-            let verb = if body.min[2] > top + 0.005 {
-                "floats"
-            } else if body.min[2] < top - 0.005 {
-                "sinks"
-            } else {
-                "stands on an edge"
+            let verb = match body.min[2] - top {
+                above if above > 0.005 => " floats",
+                above if above < -0.005 => " sinks",
+                _ => " stands on an edge",
             };
-            format!("{} {verb}", culprit(0.6))
+            vec![culprit, Word::Text(verb)]
         }
-        ErrorKind::Mounted => format!("{} hangs off the wall", culprit(0.5)),
-        ErrorKind::Facing => format!("{} does not face {}", culprit(0.35), other(0.35)),
-        ErrorKind::Clearance => format!("{} blocks {}", other(0.4), culprit(0.4)),
-        ErrorKind::FacingWall => format!("{} faces its wall", culprit(0.6)),
-        ErrorKind::ShortSide => format!("{} has its short side to the wall", culprit(0.4)),
-        ErrorKind::Unplaced => format!("{} was never placed", culprit(0.5)),
-    };
-    fitted(&text, Face::Sans, size, room)
+        ErrorKind::Mounted => vec![culprit, Word::Text(" hangs off the wall")],
+        ErrorKind::Facing => vec![culprit, Word::Text(" does not face "), other],
+        ErrorKind::Clearance => vec![other, Word::Text(" blocks "), culprit],
+        ErrorKind::FacingWall => vec![culprit, Word::Text(" faces its wall")],
+        ErrorKind::ShortSide => vec![culprit, Word::Text(" has its short side to the wall")],
+        ErrorKind::Unplaced => vec![culprit, Word::Text(" was never placed")],
+    }
 }

@@ -64,8 +64,9 @@ fn encode(width: u32, height: u32, kind: png::ColorType, depth: png::BitDepth, s
     let mut encoder = png::Encoder::new(&mut out, width, height);
     encoder.set_color(kind);
     encoder.set_depth(depth);
-    encoder.set_compression(png::Compression::Fast);
-    encoder.set_filter(png::Filter::Up);
+    encoder.set_compression(png::Compression::Balanced);
+    // Flat areas compress best as they are.
+    encoder.set_filter(png::Filter::NoFilter);
     // Writing to memory fails only for sizes that do not fit the samples, and these are made together.
     let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(samples).and_then(|()| writer.finish()));
     debug_assert!(written.is_ok(), "{written:?}");

@@ -99,6 +99,8 @@ impl Reel {
         let mut encoder = png::Encoder::new(&mut out, width, height);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_compression(png::Compression::Balanced);
+        encoder.set_filter(png::Filter::NoFilter);
         encoder.set_animated(self.patches.len().max(1) as u32, 0)?;
         let mut writer = encoder.write_header()?;
         for (at, patch) in self.patches.iter().enumerate() {

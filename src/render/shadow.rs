@@ -6,7 +6,7 @@
 use super::solid::{Cuboid, Solid, clipped};
 
 /// How far a shadow moves for a metre of height, for each direction of the lamp. The last one makes the edge where things touch.
-const LAMP: [[f64; 2]; 4] = [[0.44, -0.24], [0.32, -0.30], [0.24, -0.14], [0.05, -0.04]];
+const LAMP: [[f64; 2]; 6] = [[0.46, -0.25], [0.37, -0.30], [0.34, -0.19], [0.26, -0.21], [0.19, -0.11], [0.05, -0.04]];
 
 /// How many boxes may throw shadows on each other; in larger scenes they fall on the floor only.
 const MOST: usize = 1500;
@@ -50,7 +50,7 @@ fn on(solids: &[Solid], surface: &Cuboid, own: usize) -> Shadows {
 }
 
 fn reaches(cuboid: &Cuboid, top: f64, min: [f64; 2], max: [f64; 2]) -> bool {
-    let (right, down) = (0.44 * top, 0.30 * top);
+    let (right, down) = (0.46 * top, 0.30 * top);
     cuboid.min[0] < max[0] && cuboid.max[0] + right > min[0] && cuboid.min[1] - down < max[1] && cuboid.max[1] > min[1]
 }
 

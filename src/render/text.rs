@@ -36,6 +36,16 @@ pub fn fitted(text: &str, face: Face, size: f32, width: f32) -> String {
     shown
 }
 
+/// The name of an object cut to a width; of `seats[12]` the number stays.
+pub fn fitted_name(name: &str, face: Face, size: f32, width: f32) -> String {
+    let number = name.rfind('[').map_or("", |at| &name[at..]);
+    let tail = face.width(&harmless(number), size);
+    if number.len() > 12 || number.len() == name.len() || tail > 0.6 * width || face.width(&harmless(name), size) <= width {
+        return fitted(name, face, size, width);
+    }
+    format!("{}{}", fitted(&name[..name.len() - number.len()], face, size, width - tail), harmless(number))
+}
+
 /// A length for people: two decimals, more where it is short.
 pub fn metres(value: f64) -> String {
     match value.abs() {
@@ -68,6 +78,7 @@ mod tests {
             let shown = fitted(&long, Face::Sans, 12.0, width);
             assert!(shown.ends_with('…') && Face::Sans.width(&shown, 12.0) <= width.max(Face::Sans.width("…", 12.0)));
         }
+        assert_eq!(fitted_name("marshalling_yard[12]", Face::Sans, 10.0, 60.0), "mars…[12]");
         assert_eq!(fitted("bed", Face::Sans, 12.0, 100.0), "bed");
     }
 }
