@@ -153,7 +153,8 @@ impl Emitter {
             && let Some(place) = self.labels.get_mut(label)
         {
             let depth = self.depth + jumped;
-            debug_assert_eq!(*place.depth.get_or_insert(depth), depth, "two ways to a label leave stacks of different height");
+            let expected = *place.depth.get_or_insert(depth);
+            debug_assert_eq!(expected, depth, "two ways to a label leave stacks of different height");
             place.reached |= !self.dead;
         }
         self.depth += next;
