@@ -39,8 +39,8 @@ const seen = (selector, milliseconds = 20_000) => page.locator(selector).first()
 /** A key that is pressed while the workbench is busy can be lost, or its menu closed at once: do, look, do again. */
 async function press(act, selector) {
   for (let attempt = 1; ; attempt++) {
-    await act();
     try {
+      await act();
       return await seen(selector, 3000);
     } catch (error) {
       if (attempt === 8) throw error;

@@ -95,7 +95,7 @@ export class Workbench {
 
   /** Opens the folder of the files; `query` goes into the address. */
   async open(query = "") {
-    await this.page.goto(`http://127.0.0.1:${this.port}/?folder=${encodeURIComponent(this.files)}${query}`);
+    await this.page.goto(`http://127.0.0.1:${this.port}/?folder=${encodeURIComponent(this.files)}${query}`, { timeout: 90_000 });
     await this.page.waitForSelector(".monaco-workbench", { timeout: 60_000 });
   }
 
