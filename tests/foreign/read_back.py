@@ -2,7 +2,8 @@
 
     read_back.py PSDL ROOT OUT       PSDL: the program, ROOT: the checkout, OUT: a folder for the files
 
-What a reader finds is compared with the layout that psdl reports: objects, names, boxes. Ends with "foreign: N passed, N failed".
+The scenes are the examples, those in `scenes/` and the programs in the folders of PSDL_CORPUS. What a reader finds is compared with
+the layout that psdl reports: objects, names, boxes. Ends with "foreign: N passed, N failed".
 """
 import csv
 import html.parser
@@ -242,7 +243,8 @@ READERS |= {"html": read_html, "mjcf": read_mjcf, "urdf": read_urdf}
 
 
 def scenes():
-    for folder in (ROOT / "examples", HERE / "scenes"):
+    more = [pathlib.Path(folder) for folder in os.environ.get("PSDL_CORPUS", "").split(os.pathsep) if folder]
+    for folder in (ROOT / "examples", HERE / "scenes", *more):
         for path in sorted(folder.glob("*.psdl")):
             yield path.stem, path
 
