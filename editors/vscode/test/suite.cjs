@@ -6,7 +6,7 @@ const vscode = require("vscode");
 
 const ID = "psdl-lang.psdl";
 
-async function until(what, condition, milliseconds = 20_000) {
+async function until(what, condition, milliseconds = 30_000) {
   let last;
   for (const end = Date.now() + milliseconds; Date.now() < end; await new Promise(resolve => setTimeout(resolve, 20))) {
     last = await condition();

@@ -34,14 +34,14 @@ workbench.install(process.env.VSIX);
 
 let page;
 const shot = name => process.env.PSDL_SCREENSHOTS && page.screenshot({ path: path.join(process.env.PSDL_SCREENSHOTS, `${name}.png`) });
-const seen = (selector, milliseconds = 20_000) => page.locator(selector).first().waitFor({ state: "visible", timeout: milliseconds });
+const seen = (selector, milliseconds = 60_000) => page.locator(selector).first().waitFor({ state: "visible", timeout: milliseconds });
 
 /** A key that is pressed while the workbench is busy can be lost, or its menu closed at once: do, look, do again. */
 async function press(act, selector) {
   for (let attempt = 1; ; attempt++) {
     try {
       await act();
-      return await seen(selector, 3000);
+      return await seen(selector, 3000 + 2000 * attempt);
     } catch (error) {
       if (attempt === 8) throw error;
       await page.keyboard.press("Escape");
@@ -110,8 +110,7 @@ const code = await (async () => {
       [
         "in a folder that is not trusted there is highlighting, and no server",
         async () => {
-          await page.locator(at.file("lamp.psdl")).dblclick();
-          await seen(at.editor);
+          await press(() => page.locator(at.file("lamp.psdl")).dblclick(), at.editor);
           await until("tokens", async () => (await page.locator('.view-line span[class*="mtk"]').count()) > 3);
           assert.ok((await page.locator(at.status).innerText()).includes("PSDL"));
           assert.equal(await page.locator(at.squiggle).count(), 0);
@@ -206,6 +205,7 @@ const code = await (async () => {
           const chosen = () => page.locator(at.position).first().innerText();
           await until("the line of the table", async () => {
             const box = await frame.locator('g.object[data-object="0"] > *:not(title)').first().boundingBox();
+            if (box === null) return false; // the picture is just being replaced
             await page.mouse.click(box.x + box.width * 0.15, box.y + box.height * 0.5);
             const end = Date.now() + 1500;
             while (Date.now() < end && !(await chosen()).startsWith(`Ln ${number},`)) await new Promise(resolve => setTimeout(resolve, 50));

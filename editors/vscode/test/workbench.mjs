@@ -10,7 +10,7 @@ const { chromium } = createRequire(`${process.env.PLAYWRIGHT_DIR}/`)("playwright
 const { CODE_SERVER, NODE24, CHROMIUM } = process.env;
 
 /** Waits until something is true; the first true value. */
-export async function until(what, condition, milliseconds = 20_000) {
+export async function until(what, condition, milliseconds = 60_000) {
   for (const end = Date.now() + milliseconds; ; ) {
     const value = await condition();
     if (value) return value;
