@@ -118,10 +118,13 @@ impl LanguageServer for Backend {
         if source == Source::Program {
             unit.uri = Some(item.uri);
         }
-        self.touched(state, &key, role);
         if let Some(path) = path {
+            // Before the run that reads the files, so that no change slips between.
+            drop(state);
             self.look_out(&path);
+            state = self.shared.state();
         }
+        self.touched(state, &key, role);
     }
 
     async fn did_change(&self, params: DidChangeTextDocumentParams) {
