@@ -5,7 +5,7 @@ use std::hint::black_box;
 use criterion::{BatchSize, BenchmarkId, Criterion, criterion_group, criterion_main};
 use psdl::check::{Rules, check, findings};
 use psdl::scene::{Anchor, Axis, FacingSpec, Given, Kind, Layout, NewObject, Origins, Scalar, Support, Target, World};
-use psdl::trace::Plain;
+use psdl::trace::{Handle, Plain};
 
 /// A square grid of chairs, a door among every fifty, `spacing` metres apart, their bottoms at `bottom`.
 fn world(count: usize, spacing: f64, bottom: f64) -> World {
@@ -22,7 +22,7 @@ fn world(count: usize, spacing: f64, bottom: f64) -> World {
         for (anchor, axis, value) in [(Anchor::Center, Axis::X, x), (Anchor::Center, Axis::Y, y), (Anchor::Min, Axis::Z, bottom)] {
             world.write(&mut Plain, Target::Object(id), anchor, axis, &value.into(), origin).expect("a good number");
         }
-        world.set_facing(&mut Plain, id, &FacingSpec::Number(Scalar::int(1)), origin).expect("a good facing");
+        world.set_facing(&mut Plain, id, &FacingSpec::Number(Scalar::int(1)), Handle::NONE, origin).expect("a good facing");
     }
     world
 }

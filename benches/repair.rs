@@ -1,12 +1,13 @@
 //! Error correction over the examples, or over the programs below the folders that PSDL_CORPUS names: one row a program, then the
-//! means, for each method. `PSDL_METHODS=guided` leaves the other out; `PSDL_LAYOUTS=DIR` writes the layouts before and after.
+//! means, for each method, and what a candidate of the replay costs. `PSDL_METHODS=guided` leaves the other out; `PSDL_LAYOUTS=DIR` writes the layouts before and after.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use psdl::analysis::{Input, Options};
-use psdl::repair::{Fix, Method, Problem, Settings, fix};
+use psdl::repair::{Change, Fix, Method, Neighbourhood, Problem, Settings, fix};
 use psdl::scene::layout_json;
+use psdl::syntax::ConstantId;
 
 /// One program corrected.
 struct Row {
@@ -14,6 +15,8 @@ struct Row {
     objects: usize,
     fix: Fix,
     seconds: f64,
+    /// Of each candidate of a replay, in microseconds.
+    candidates: Vec<f64>,
 }
 
 fn programs() -> Vec<PathBuf> {
@@ -39,7 +42,28 @@ fn correct(path: &Path, settings: &Settings) -> Option<Row> {
             std::fs::write(Path::new(&folder).join(format!("{name}.{end}.json")), json).ok()?;
         }
     }
-    Some(Row { name, objects: problem.layout().objects.len(), fix, seconds })
+    let candidates = candidates(&problem).unwrap_or_default();
+    Some(Row { name, objects: problem.layout().objects.len(), fix, seconds, candidates })
+}
+
+/// What it takes to look at one other value of each constant, where the replay holds. Microseconds.
+fn candidates(problem: &Problem) -> Option<Vec<f64>> {
+    const TIMES: u32 = 50;
+    let mut neighbourhood = Neighbourhood::of(problem)?;
+    let mut found = Vec::new();
+    for (at, constant) in problem.tuning().constants.iter().enumerate() {
+        let id = ConstantId(u32::try_from(at).ok()?);
+        let change = |time: u32| Change::Constant(id, constant.value + 0.01 * f64::from(time + 1));
+        if !problem.is_free(id) || neighbourhood.score(change(0)).is_none() {
+            continue;
+        }
+        let start = Instant::now();
+        for time in 0..TIMES {
+            std::hint::black_box(neighbourhood.score(change(time)));
+        }
+        found.push(start.elapsed().as_secs_f64() * 1e6 / f64::from(TIMES));
+    }
+    Some(found)
 }
 
 fn median(mut values: Vec<f64>) -> f64 {
@@ -48,12 +72,12 @@ fn median(mut values: Vec<f64>) -> f64 {
 }
 
 fn table(title: &str, rows: &[Row]) -> String {
-    let mut out = format!("\n{title}\n{:<34} before after edits moved   way/m  seconds evaluations runs\n", "program");
+    let mut out = format!("\n{title}\n{:<34} before after edits moved   way/m  seconds evaluations replays runs   replay/us\n", "program");
     let share = |row: &Row| row.fix.moved as f64 / row.objects.max(1) as f64;
     for row in rows {
         let (fix, effort) = (&row.fix, &row.fix.effort);
         out += &format!(
-            "{:<34} {:>6} {:>5} {:>5} {:>4.0}% {:>7.3} {:>8.4} {:>11} {:>4}\n",
+            "{:<34} {:>6} {:>5} {:>5} {:>4.0}% {:>7.3} {:>8.4} {:>11} {:>7} {:>4} {:>11.2}\n",
             row.name,
             fix.errors_before(),
             fix.errors_after(),
@@ -62,7 +86,9 @@ fn table(title: &str, rows: &[Row]) -> String {
             fix.displacement,
             row.seconds,
             effort.evaluations,
-            effort.runs
+            effort.replays,
+            effort.runs,
+            median(row.candidates.clone())
         );
     }
     let n = rows.len().max(1) as f64;
@@ -70,7 +96,7 @@ fn table(title: &str, rows: &[Row]) -> String {
     let clean = rows.iter().filter(|row| row.fix.errors_after() == 0).count();
     out += &format!(
         "mean of {}: errors {:.2} -> {:.2}, clean {clean}, edits {:.2}, moved {:.1}%, way median {:.3} mean {:.3} m, \
-         seconds mean {:.4} largest {:.4}, evaluations {:.0}, runs {:.0}\n",
+         seconds mean {:.4} largest {:.4}, evaluations {:.0}, replays {:.0}, runs {:.0}, a candidate of the replay: median {:.2} us\n",
         rows.len(),
         mean(&|row| row.fix.errors_before() as f64),
         mean(&|row| row.fix.errors_after() as f64),
@@ -81,7 +107,9 @@ fn table(title: &str, rows: &[Row]) -> String {
         mean(&|row| row.seconds),
         rows.iter().map(|row| row.seconds).fold(0.0, f64::max),
         mean(&|row| row.fix.effort.evaluations as f64),
-        mean(&|row| row.fix.effort.runs as f64)
+        mean(&|row| row.fix.effort.replays as f64),
+        mean(&|row| row.fix.effort.runs as f64),
+        median(rows.iter().flat_map(|row| row.candidates.iter().copied()).collect())
     );
     out
 }

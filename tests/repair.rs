@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 use psdl::analysis::{Input, Options};
 use psdl::check::ErrorKind;
 use psdl::repair::{Change, Changes, Fix, Method, Problem, Settings, fix};
-use psdl::syntax::ConstantId;
-use psdl::trace::{Op, Replay, Slices, Table, apply};
+use psdl::scene::{Layout, Outcome, Told};
+use psdl::syntax::tune::Cardinal;
+use psdl::syntax::{ConstantId, DirectionId};
+use psdl::trace::{Op, Replay, SITE, Slices, Table, apply};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -114,24 +116,39 @@ fn compare(problem: &Problem, table: Table, rng: &mut ChaCha8Rng) -> (usize, usi
     let Some(slices) = Slices::of(&ran.trace) else { return (0, 0) };
     let mut replay = Replay::with_table(&ran.trace, table);
     let (mut held, mut wrong) = (0, 0);
-    for slice in slices.literals().iter().filter(|slice| problem.is_free(ConstantId(slice.id))) {
-        for value in [slice.value + rng.random_range(-0.5..0.5), slice.value * rng.random_range(-4.0..4.0)] {
+    for slice in slices.literals() {
+        let changes: Vec<Change> = if slice.id < SITE {
+            let values = [slice.value + rng.random_range(-0.5..0.5), slice.value * rng.random_range(-4.0..4.0)];
+            values.map(|value| Change::Constant(ConstantId(slice.id), value)).to_vec()
+        } else {
+            Cardinal::ALL.map(|cardinal| Change::Turn(DirectionId(slice.id - SITE), cardinal)).to_vec()
+        };
+        for change in changes {
+            let value = match change {
+                Change::Constant(id, _) if !problem.is_free(id) => continue,
+                Change::Constant(_, value) => value,
+                Change::Turn(_, cardinal) => f64::from(cardinal as u8),
+            };
             replay.set(&ran.trace, slice, value);
             if replay.holds(&ran.trace, slice) {
-                let changes = Changes::default().with(Change::Constant(ConstantId(slice.id), value), problem.tuning());
-                let same = problem.run(&changes, false).is_some_and(|fresh| {
-                    fresh.layout.objects.iter().zip(&ran.layout.objects).all(|(fresh, recorded)| {
-                        let center = |k: usize| replay.now(recorded.center[k].num).to_bits() == fresh.center[k].value().to_bits();
-                        (0..3).all(center) && fresh.body.turn == recorded.body.turn && fresh.body.directed == recorded.body.directed
-                    })
-                });
+                let fresh = problem.run(&Changes::default().with(change, problem.tuning()), false);
                 held += 1;
-                wrong += usize::from(!same);
+                wrong += usize::from(!fresh.is_some_and(|fresh| is_same(&replay, &ran.layout, &fresh.layout)));
             }
             replay.undo();
         }
     }
     (held, wrong)
+}
+
+/// Whether the numbers of a replay are the layout of a fresh run, bit for bit.
+fn is_same(replay: &Replay, recorded: &Layout, fresh: &Layout) -> bool {
+    recorded.objects.iter().zip(&fresh.objects).all(|(recorded, fresh)| {
+        let center = |k: usize| replay.now(recorded.center[k].num).to_bits() == fresh.center[k].value().to_bits();
+        let outcome = Outcome::from_code(replay.now(recorded.settled));
+        let told = if replay.now(recorded.instead) >= 0.0 { Told::Direction } else { recorded.body.told };
+        (0..3).all(center) && (fresh.body.turn, fresh.body.directed, fresh.body.told) == (outcome.turn, outcome.directed, told)
+    })
 }
 
 #[test]
@@ -164,4 +181,115 @@ fn no_fix_leaves_more_errors_or_other_objects() {
         let (layout, verdict) = problem.judge_text(&fix.text).expect("the same scene");
         assert_eq!((verdict, layout.objects.len()), (fix.after, problem.layout().objects.len()), "{}", path.display());
     }
+}
+
+/// A program of a few objects, with much of what decisions of a program can rest on: comparisons, `min` and `max`, rounding, counts,
+/// facings of every kind, frames, dictionaries and loops.
+fn generated(rng: &mut ChaCha8Rng) -> String {
+    let count = rng.random_range(3..8);
+    let mut text = format!(
+        "things = [Object('Thing', 0.5 + 0.3 * (i % 3), 0.4 + 0.2 * (i % 4), 0.6, STANDING) for i in range({count})]\n\
+         def beside(a, b, gap=0.25):\n    a.min.x = b.max.x + gap\n    a.center.y = b.center.y\n\
+         things[0].center.x = {:.2}\nthings[0].max.y = scene.max.y - {:.2}\n",
+        rng.random_range(-2.0..2.0),
+        rng.random_range(0.0..1.0)
+    );
+    for at in 1..count {
+        let (a, b) = (format!("things[{at}]"), format!("things[{}]", rng.random_range(0..at)));
+        let (x, y) = (rng.random_range(-2.0..2.0), rng.random_range(0.05..1.5));
+        text += &match rng.random_range(0..12) {
+            0 => format!("beside({a}, {b}, {y:.2})\n"),
+            1 => format!("{a}.center.x = max({b}.center.x + {x:.2}, scene.min.x + {y:.2})\n{a}.center.y = min({x:.2}, {b}.min.y)\n"),
+            2 => format!("{a}.center.x = {x:.2} if {b}.center.x > {y:.2} else -{y:.2}\n{a}.center.y = abs({x:.2}) - {y:.2}\n"),
+            3 => format!("{a}.center.x = round({x:.2} * 3) / 2\n{a}.center.y = int({y:.2} * 4) * 0.3\n"),
+            4 => format!("set_coordinate_frame({b})\n{a}.min.y = {b}.max.y + {y:.2}\n{a}.center.x = {x:.2}\nset_coordinate_frame(scene)\n"),
+            5 => format!("{a}.center.x = math.sin({x:.2}) * 2\n{a}.center.y = {x:.2} // 0.7 + {y:.2} % 0.4\n"),
+            6 => format!("{a}.center.x = {{0: {x:.2}, 1: {y:.2}}}.get({b}.facing, 0.5)\n{a}.center.y = {y:.2}\n"),
+            7 => format!(
+                "for k in range(int({y:.2} * 3)):\n    {a}.center.x = {x:.2} + k * {y:.2}\n{a}.center.y = sorted([{x:.2}, {y:.2}, 0.4])[1]\n"
+            ),
+            8 => format!("{a}.center = {b}.center + Vec({x:.2}, {y:.2}, 0.0)\n"),
+            9 => format!("{a}.max.x = float(f'{{{x:.2} * 2:.1f}}')\n{a}.min.y = sum([{y:.2}, 0.25]) / 2\n"),
+            10 => format!("{a}.center.x = {x:.2} ** 2 - {y:.2}\n{a}.max.y = {b}.min.y - {y:.2}\n"),
+            _ => format!("{a}.max.x = scene.max.x\n{a}.center.y = {x:.2}\n"),
+        };
+        text += &match rng.random_range(0..9) {
+            0 => format!("{a}.facing = {b}\n"),
+            1 => format!("{a}.facing = {}\n", ["X_MAX", "Y_MAX", "X_MIN", "Y_MIN"][rng.random_range(0..4)]),
+            2 => format!("{a}.facing = opposite({b}.facing)\n"),
+            3 => format!("{a}.facing = {b}.center\n"),
+            4 => format!("{a}.facing = X_MIN if {b}.facing == Y_MAX else 3\n"),
+            5 => format!("{a}.facing = ({x:.2}, {y:.2})\n"),
+            6 => format!("{b}.facing = {a}\n{a}.facing = {b}\n"),
+            7 => format!("{a}.facing = scene\n"),
+            _ => String::new(),
+        };
+    }
+    text
+}
+
+#[test]
+fn replays_of_generated_programs_are_runs_too() {
+    let mut rng = ChaCha8Rng::seed_from_u64(11);
+    let (mut held, mut noticed) = (0, 0);
+    for _ in 0..150 {
+        let text = generated(&mut rng);
+        let problem = problem(&text);
+        let (more, wrong) = compare(&problem, apply, &mut rng);
+        assert_eq!(wrong, 0, "{text}");
+        held += more;
+        noticed += compare(&problem, |op, a, b| if op == Op::Max { b } else { apply(op, a, b) }, &mut rng).1;
+    }
+    assert!(held > 2000, "only {held} replays held");
+    assert!(noticed > 0, "a max that is no max was not noticed");
+}
+
+#[test]
+fn fixes_of_generated_programs_never_make_them_worse() {
+    let mut rng = ChaCha8Rng::seed_from_u64(12);
+    let mut clean = 0;
+    for _ in 0..40 {
+        let text = generated(&mut rng);
+        let problem = problem(&text);
+        for method in [Method::Guided, Method::Paper] {
+            let fix = fix(&problem, &Settings { method, budget: 3000, ..Settings::default() });
+            assert!(fix.errors_after() <= fix.errors_before() && fix.after.loss() <= fix.before.loss(), "{text}\n{}", fix.text);
+            let again = Problem::new(&Input { text: &fix.text, template: None }, &Options::default()).expect("the same scene");
+            assert!(again.exceptions() <= problem.exceptions(), "{}", fix.text);
+            assert_eq!(again.layout().objects.len(), problem.layout().objects.len());
+            clean += usize::from(fix.errors_after() == 0 && fix.errors_before() > 0);
+        }
+    }
+    assert!(clean > 20, "only {clean} fixes left no error");
+}
+
+/// How fast centers move with a literal: the replay beside two runs of the program.
+#[test]
+fn slopes_of_a_replay_are_those_of_runs() {
+    let mut compared = 0;
+    for path in programs() {
+        let Some(problem) = load(&path) else { continue };
+        let ran = problem.run(&Changes::default(), true).expect("the program as it is");
+        let Some(slices) = Slices::of(&ran.trace) else { continue };
+        let mut replay = Replay::new(&ran.trace);
+        for slice in slices.literals().iter().filter(|slice| problem.is_free(ConstantId(slice.id))).take(8) {
+            let step = 1e-6;
+            let run = |value| problem.run(&Changes::default().with(Change::Constant(ConstantId(slice.id), value), problem.tuning()), false);
+            let (Some(low), Some(high)) = (run(slice.value - step), run(slice.value + step)) else { continue };
+            replay.set(&ran.trace, slice, slice.value + 1.0 / 1024.0);
+            if replay.holds(&ran.trace, slice) {
+                for ((object, low), high) in ran.layout.objects.iter().zip(&low.layout.objects).zip(&high.layout.objects) {
+                    for k in 0..3 {
+                        let slope = (replay.now(object.center[k].num) - object.body.center[k]) * 1024.0;
+                        let difference = (high.body.center[k] - low.body.center[k]) / (2.0 * step);
+                        // A literal inside of a sine or a square bends by its second derivative times the step.
+                        assert!((slope - difference).abs() < 0.05 + 0.05 * difference.abs(), "{}: {slope} {difference}", path.display());
+                        compared += 1;
+                    }
+                }
+            }
+            replay.undo();
+        }
+    }
+    assert!(compared > 100, "only {compared} slopes were compared");
 }

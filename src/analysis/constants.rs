@@ -4,7 +4,7 @@ use super::run::{Execution, Prepared};
 use crate::check::finding::{Code, Finding, Fix, Place};
 use crate::syntax::ast::{self, Expr, Ranged as _, Stmt, StmtAssign, StmtAugAssign};
 use crate::syntax::{Parsed, Tuning};
-use crate::trace::{Guard, Handle, Node, Num};
+use crate::trace::{Guard, Handle, Node, Num, Trace};
 use ruff_text_size::TextRange;
 use std::cell::RefCell;
 
@@ -38,11 +38,11 @@ fn used_literals(run: &Execution, count: usize) -> Vec<bool> {
     };
     for object in &run.layout.objects {
         let anchors = object.anchors.iter().map(|anchor| anchor.value.num.handle);
-        anchors.chain(object.handles()).for_each(|handle| reach(&mut reached, handle));
+        anchors.chain(object.handles()).chain([object.settled.handle]).for_each(|handle| reach(&mut reached, handle));
     }
     for guard in trace.guards() {
         match guard {
-            Guard::Equals(a) => reach(&mut reached, a.handle),
+            Guard::Equals(a) | Guard::Zero(a, _) | Guard::Finite(a, _) => reach(&mut reached, a.handle),
             Guard::Order(a, b, _) => [a, b].into_iter().for_each(|num| reach(&mut reached, num.handle)),
         }
     }
@@ -58,31 +58,27 @@ fn used_literals(run: &Execution, count: usize) -> Vec<bool> {
     let mut used = vec![false; count];
     // An operation comes after its operands.
     for at in (0..nodes.len()).rev().filter(|at| reached[*at]).collect::<Vec<usize>>() {
-        mark(nodes, at, &mut reached, &mut used);
+        mark(trace, at, &mut reached, &mut used);
     }
     used
 }
 
 /// Marks what a reached number was made of, down to the literals.
-fn mark(nodes: &[Node], at: usize, reached: &mut [bool], used: &mut [bool]) {
+fn mark(trace: &Trace, at: usize, reached: &mut [bool], used: &mut [bool]) {
+    let nodes = trace.nodes();
     let mut todo = vec![at];
     while let Some(at) = todo.pop() {
-        let operands = match nodes[at] {
-            Node::Literal(id, _) => {
-                if let Some(slot) = used.get_mut(id as usize) {
-                    *slot = true;
-                }
-                continue;
-            }
-            Node::Unary(_, a, _) => [Some(a), None],
-            Node::Binary(_, a, b, _) => [Some(a), Some(b)],
-        };
-        for operand in operands.into_iter().flatten() {
-            let Some(below) = (operand.handle.0 as usize).checked_sub(1) else { continue };
+        if let Node::Literal(id, _) = nodes[at]
+            && let Some(slot) = used.get_mut(id as usize)
+        {
+            *slot = true;
+        }
+        trace.operands(&nodes[at], &mut |operand| {
+            let Some(below) = (operand.handle.0 as usize).checked_sub(1) else { return };
             if matches!(nodes.get(below), Some(Node::Literal(..))) || !std::mem::replace(&mut reached[below], true) {
                 todo.push(below);
             }
-        }
+        });
     }
 }
 

@@ -63,7 +63,7 @@ impl Program {
 
     fn face(&mut self, object: ObjectId, spec: FacingSpec) {
         let origin = self.origin();
-        self.world.set_facing(&mut Plain, object, &spec, origin).expect("a good facing");
+        self.world.set_facing(&mut Plain, object, &spec, crate::trace::Handle::NONE, origin).expect("a good facing");
     }
 
     fn face_number(&mut self, object: ObjectId, number: i64) {

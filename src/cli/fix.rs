@@ -1,7 +1,8 @@
 //! `psdl fix`: a few constants and directions rewritten, so that the layout errors vanish.
 
 use super::Outcome;
-use super::args::code_parser;
+use super::args::{ConfigOptions, code_parser};
+use super::configuration::Configuration;
 use super::files::{self, Loaded, Program};
 use super::output::{self, Failure};
 use crate::analysis::{Input, Options};
@@ -40,6 +41,10 @@ pub struct FixArgs {
     #[arg(long)]
     stdout: bool,
 
+    /// What may be rewritten.
+    #[arg(long, value_enum, default_value_t, value_name = "KIND")]
+    edits: EditKind,
+
     /// How to look for a correction.
     #[arg(long, value_enum, default_value_t, value_name = "METHOD")]
     method: MethodName,
@@ -67,6 +72,21 @@ pub struct FixArgs {
     /// The format of the report; with `json`, the edits are in it.
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT", conflicts_with = "stdout")]
     format: FixFormat,
+
+    /// Take standard input for the file of this name: for its template, its configuration and the report.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    stdin_filename: Option<PathBuf>,
+
+    #[command(flatten)]
+    options: ConfigOptions,
+}
+
+/// What `psdl fix` rewrites.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug, Default)]
+enum EditKind {
+    /// Float constants and directions.
+    #[default]
+    Elementary,
 }
 
 /// The methods of `psdl fix`.
@@ -98,26 +118,34 @@ fn lines(text: &str) -> Result<(u32, u32), String> {
     }
 }
 
-pub(super) fn fix(args: &FixArgs, color: bool) -> Result<Outcome, Failure> {
-    let programs = files::programs(&args.paths, None, &|_| Ok(false))?;
+pub(super) fn fix(args: &FixArgs, color: bool, error_color: bool) -> Result<Outcome, Failure> {
+    let EditKind::Elementary = args.edits;
+    let configuration = Configuration::new(&args.options, error_color);
+    let programs = files::programs(&args.paths, args.stdin_filename.as_deref(), &|path| configuration.excludes(path))?;
     if args.stdout && programs.len() != 1 {
         return Err(Failure::new("--stdout takes one program"));
     }
     if args.write && programs.iter().any(|program| matches!(program, Program::Stdin(_))) {
         return Err(Failure::new("standard input cannot be written to; use --stdout"));
     }
-    let (mut entries, mut outcome) = (Vec::new(), Outcome::Clean);
+    let (mut entries, mut outcome, mut failed) = (Vec::new(), Outcome::Clean, 0);
     for program in &programs {
         let loaded = program.load();
-        let Some(done) = correct(args, &loaded)? else {
-            outcome = Outcome::Findings;
-            continue;
+        let options = configuration.options(program.path())?;
+        let done = correct(args, &loaded, &options, error_color);
+        let done = done.and_then(|done| if args.write { write(program.path(), done) } else { Ok(done) });
+        let done = match done {
+            Ok(done) => done,
+            Err(failure) => {
+                // The other programs are corrected all the same.
+                output::complain(&failure);
+                entries.push(json!({ "path": loaded.path, "error": failure.to_string() }));
+                failed += 1;
+                continue;
+            }
         };
         if done.fix.errors_after() > 0 || done.exceptions > 0 {
             outcome = Outcome::Findings;
-        }
-        if args.write && !done.fix.edits.is_empty() {
-            write(program.path(), &done)?;
         }
         if args.stdout {
             output::print(&done.fix.text)?;
@@ -130,7 +158,10 @@ pub(super) fn fix(args: &FixArgs, color: bool) -> Result<Outcome, Failure> {
     if args.format == FixFormat::Json {
         output::print(&format!("{:#}\n", json!({ "version": 1, "files": entries })))?;
     }
-    Ok(outcome)
+    match failed {
+        0 => Ok(outcome),
+        _ => Err(Failure::new(format!("{} could not be corrected", counted(failed, "program")))),
+    }
 }
 
 /// A program after its correction.
@@ -142,29 +173,29 @@ struct Done {
     seconds: f64,
 }
 
-/// Corrects one program; `None` where it cannot be run, which is then said on standard error.
-fn correct(args: &FixArgs, loaded: &Loaded) -> Result<Option<Done>, Failure> {
+/// Corrects one program.
+fn correct(args: &FixArgs, loaded: &Loaded, options: &Options, error_color: bool) -> Result<Done, Failure> {
     let (text, template) = loaded.texts()?;
     let start = Instant::now();
-    let problem = match Problem::new(&Input { text, template: template.map(|(_, text)| text) }, &Options::default()) {
+    let problem = match Problem::new(&Input { text, template: template.map(|(_, text)| text) }, options) {
         Ok(problem) => problem,
         Err(Unfit::Broken(findings)) => {
             let file = FileReport { path: &loaded.path, text, template, findings: &findings, objects: &[] };
-            output::report_error(&Printer::default().file(&file));
-            return Ok(None);
+            let report = Printer { color: error_color, ..Printer::default() }.file(&file);
+            return Err(Failure::with_report(report, &format!("{}: what has errors cannot be run, nor corrected", loaded.path)));
         }
         Err(Unfit::Stopped(_)) => {
-            output::report_error(&format!("{}: the program met a limit before it came to its end; nothing was corrected\n", loaded.path));
-            return Ok(None);
+            let path = &loaded.path;
+            return Err(Failure::new(format!("{path}: the program met a limit before it came to its end; nothing was corrected")));
         }
     };
     let method = if args.method == MethodName::Paper { Method::Paper } else { Method::Guided };
     let within = args.lines.map(|lines| range_of(text, lines));
     let (seed, max_edits, budget) = (args.seed, args.max_edits, args.budget);
     let fix = repair::fix(&problem, &Settings { method, seed, max_edits, budget, only: kinds(&args.only), within, watch: None });
-    let effects = repair::effects(&problem, &fix);
     let seconds = start.elapsed().as_secs_f64();
-    Ok(Some(Done { before: text.to_string(), fix, effects, exceptions: problem.exceptions(), seconds }))
+    let effects = repair::effects(&problem, &fix);
+    Ok(Done { before: text.to_string(), fix, effects, exceptions: problem.exceptions(), seconds })
 }
 
 fn kinds(codes: &[Code]) -> Vec<ErrorKind> {
@@ -181,20 +212,24 @@ fn range_of(text: &str, (first, last): (u32, u32)) -> TextRange {
 }
 
 /// Writes the corrected program over the one that was read, if that is still there.
-fn write(path: &Path, done: &Done) -> Result<(), Failure> {
+fn write(path: &Path, done: Done) -> Result<Done, Failure> {
+    if done.fix.edits.is_empty() {
+        return Ok(done);
+    }
     let now = std::fs::read(path).map_err(|error| Failure::at(path, &error))?;
     if now != done.before.as_bytes() {
         return Err(Failure::at(path, &"changed while it was being corrected; it was left alone"));
     }
-    output::write_file(path, done.fix.text.as_bytes())
+    output::write_file(path, done.fix.text.as_bytes())?;
+    Ok(done)
 }
 
 impl Done {
     fn text_report(&self, path: &str, written: bool, color: bool) -> String {
         let paint = |code: &str, text: &str| if color { format!("\u{1b}[{code}m{text}\u{1b}[0m") } else { text.to_string() };
+        let path = annotate_snippets::normalize_untrusted_str(path);
         let mut out = String::new();
         if !written && !self.fix.edits.is_empty() {
-            let path = annotate_snippets::normalize_untrusted_str(path);
             let _ = writeln!(out, "{}\n{}", paint("1", &format!("--- {path}")), paint("1", &format!("+++ {path}")));
             for line in diff(&self.before, &self.fix.edits) {
                 let shown = annotate_snippets::normalize_untrusted_str(&line);
@@ -210,8 +245,10 @@ impl Done {
         let index = LineIndex::new(&self.before);
         for ((range, new), effect) in self.fix.edits.iter().zip(&self.effects) {
             let line = index.line(range.start()) + 1;
-            let (new, clears, moves) = (new.trim(), effect.clears, effect.moves);
-            let _ = writeln!(out, "{path}:{line}: {new} clears {} and moves {}", counted(clears, "error"), counted(moves, "object"));
+            let old = self.before.get(range.start().to_usize()..range.end().to_usize()).unwrap_or_default();
+            let old = annotate_snippets::normalize_untrusted_str(&old.split_whitespace().collect::<Vec<_>>().join(" "));
+            let (new, clears, moves) = (new.trim(), counted(effect.clears, "error"), counted(effect.moves, "object"));
+            let _ = writeln!(out, "{path}:{line}: {old} → {new} clears {clears} and moves {moves}");
         }
         let (before, after) = (self.fix.errors_before(), self.fix.errors_after());
         let _ = writeln!(out, "{path}: {} before, {after} after {}", counted(before, "error"), counted(self.fix.edits.len(), "edit"));
@@ -325,7 +362,6 @@ mod tests {
     fn a_diff_shows_changed_lines_between_two_of_context() {
         let text = "a\nb\nc\nx = 0.5\r\nd\ne\nf\ng\nh\ny = 1.5";
         let edits = [edit(text, "0.5", "0.25"), edit(text, "1.5", "2.0")];
-        let _expected = "@@ -2,9 +2,9 @@| b| c|-x = 0.5|+x = 0.25| d| e| f| g| h|-y = 1.5|+y = 2.0";
         let expected = "@@ -2,5 +2,5 @@| b| c|-x = 0.5|+x = 0.25| d| e|@@ -8,3 +8,3 @@| g| h|-y = 1.5|+y = 2.0";
         assert_eq!(diff(text, &edits).join("|"), expected);
     }

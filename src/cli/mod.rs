@@ -67,7 +67,7 @@ fn dispatch(args: Args) -> Result<Outcome, Failure> {
     }
     match args.command {
         Some(Command::Check(args)) => check::check(&args, color, errors),
-        Some(Command::Fix(args)) => with_stack(|| fix::fix(&args, color)),
+        Some(Command::Fix(args)) => with_stack(|| fix::fix(&args, color, errors)),
         Some(Command::Run(args)) => with_stack(|| run::run(&args, errors)),
         Some(Command::Render(args)) => with_stack(|| render::render(&args, errors)),
         Some(Command::Export(args)) => with_stack(|| export::export(&args, errors)),

@@ -87,7 +87,7 @@ pub enum Value {
 }
 
 /// An object of the host; what `kind` and `id` mean is the host's own business.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct HostObject {
     /// What it is.
     pub kind: u16,
@@ -95,6 +95,28 @@ pub struct HostObject {
     pub part: u8,
     /// Which one.
     pub id: u32,
+    /// The direction of the program in whose place it stands; makes no difference to what it is.
+    pub site: Handle,
+}
+
+impl HostObject {
+    fn key(self) -> (u16, u8, u32) {
+        (self.kind, self.part, self.id)
+    }
+}
+
+impl PartialEq for HostObject {
+    fn eq(&self, other: &HostObject) -> bool {
+        self.key() == other.key()
+    }
+}
+
+impl Eq for HostObject {}
+
+impl std::hash::Hash for HostObject {
+    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
+        self.key().hash(state);
+    }
 }
 
 impl Value {

@@ -80,6 +80,16 @@ impl Changes {
         self.turns.keys().filter_map(|id| tuning.direction(*id)).any(|direction| direction.range.contains_range(range))
     }
 
+    /// The value of a constant, where it has another one.
+    pub fn constant(&self, id: ConstantId) -> Option<f64> {
+        self.constants.get(&id).copied()
+    }
+
+    /// The turn of a direction, where it has another one.
+    pub fn turn(&self, id: DirectionId) -> Option<Cardinal> {
+        self.turns.get(&id).copied()
+    }
+
     /// The values of constants.
     pub fn constants(&self) -> impl Iterator<Item = (ConstantId, f64)> + '_ {
         self.constants.iter().map(|(id, value)| (*id, *value))

@@ -7,10 +7,10 @@ use crate::check::Violation;
 use crate::syntax::ConstantId;
 
 use super::changes::{Change, Changes};
-use super::guided::Search;
 use super::problem::Problem;
 use super::proposals::{is_allowed, turns};
 use super::refine;
+use super::search::Search;
 use super::state::State;
 use super::{Effort, Settings};
 
@@ -34,7 +34,7 @@ pub(super) fn search(problem: &Problem, settings: &Settings) -> (Changes, Effort
         if score.loss + THRESHOLD >= state.score.loss {
             break;
         }
-        match state.after(problem, change) {
+        match search.follow(&state, change) {
             Some(next) => state = next,
             None => break,
         }

@@ -67,7 +67,8 @@ impl Problem {
             return Err(Unfit::Broken(std::mem::take(&mut prepared.findings)));
         }
         let in_loops = bound_in_loops(&prepared.parsed);
-        let first = execute(&prepared, &in_loops, &options.limits, &Changes::default(), true, cancel);
+        let manner = Manner { limits: &options.limits, cancel, record: true, named: Some(&in_loops) };
+        let first = execute(&prepared, &Changes::default(), manner);
         let original = match first {
             None => return Err(Unfit::Broken(std::mem::take(&mut prepared.findings))),
             Some(Err(stop)) => return Err(Unfit::Stopped(stop)),
@@ -112,6 +113,12 @@ impl Problem {
         &self.verdict
     }
 
+    /// What a run costs, in units of the budget.
+    pub(super) fn run_cost(&self) -> usize {
+        let objects = self.original.layout.objects.len();
+        20 + self.original.trace.nodes().len() / 16 + objects * objects / 256 + (self.original.steps / 64) as usize
+    }
+
     /// How many statements of the program raise; what they would have placed is not corrected.
     pub fn exceptions(&self) -> usize {
         self.original.exceptions
@@ -123,10 +130,11 @@ impl Problem {
         !excluded && !self.stone.contains(&id)
     }
 
-    /// A run with some changes. `None` where it is no correction of the same scene: it was stopped, raised more than the program as it
+    /// A run with some changes; its objects are not named as the program names them. `None` where it is no correction of the same scene: it was stopped, raised more than the program as it
     /// is, or has other objects.
     pub fn run(&self, changes: &Changes, record: bool) -> Option<Ran> {
-        let ran = execute(&self.prepared, &self.in_loops, &self.limits, changes, record, None)?.ok()?;
+        let manner = Manner { limits: &self.limits, cancel: None, record, named: None };
+        let ran = execute(&self.prepared, changes, manner)?.ok()?;
         self.is_same_scene(&ran).then_some(ran)
     }
 
@@ -157,7 +165,8 @@ impl Problem {
     /// Layout and errors of a rewritten text, read and run afresh; `None` where it is no correction of the same scene.
     pub fn judge_text(&self, text: &str) -> Option<(Layout, Verdict)> {
         let prepared = prepare(&Input { text, template: self.template.as_deref() });
-        let ran = execute(&prepared, &self.in_loops, &self.options.limits, &Changes::default(), false, None)?.ok()?;
+        let manner = Manner { limits: &self.options.limits, cancel: None, record: false, named: Some(&self.in_loops) };
+        let ran = execute(&prepared, &Changes::default(), manner)?.ok()?;
         let verdict = self.is_same_scene(&ran).then(|| check(&ran.layout, &self.options.rules))?;
         Some((ran.layout, verdict))
     }
@@ -170,32 +179,39 @@ fn stone(trace: &Trace, tuning: &Tuning) -> FxHashSet<ConstantId> {
     trace.stone().iter().flat_map(|handle| slices.reaching(*handle)).map(|literal| ConstantId(slices.literals()[literal].id)).collect()
 }
 
-fn execute(
-    prepared: &Prepared,
-    in_loops: &FxHashSet<String>,
-    limits: &Limits,
-    changes: &Changes,
+/// How a program is run.
+#[derive(Clone, Copy)]
+struct Manner<'a> {
+    limits: &'a Limits,
+    cancel: Option<&'a AtomicBool>,
+    /// Keeps a record.
     record: bool,
-    cancel: Option<&AtomicBool>,
-) -> Option<Result<Ran, Stop>> {
+    /// Names objects as the program does; these are the names that loops bind.
+    named: Option<&'a FxHashSet<String>>,
+}
+
+fn execute(prepared: &Prepared, changes: &Changes, manner: Manner<'_>) -> Option<Result<Ran, Stop>> {
     let program = prepared.program.clone()?;
     let host = match &prepared.template {
         None => SceneHost::new(),
         Some(template) => SceneHost::with_template(template).ok()?,
     };
     let options = vm::Options {
-        limits: *limits,
-        cancel,
+        limits: *manner.limits,
+        cancel: manner.cancel,
         lenient: true,
-        trace: if record { Trace::recording(MAX_TRACE) } else { Trace::default() },
+        trace: if manner.record { Trace::recording(MAX_TRACE).with_turns() } else { Trace::default() },
         constants: changes.constants().collect(),
         directions: changes.turns().map(|(id, cardinal)| (id, cardinal as u8)).collect(),
     };
-    let run = host::run(program, in_loops, host, options, &mut |_| {});
+    let run = match manner.named {
+        Some(in_loops) => host::run(program, in_loops, host, options, &mut |_| {}),
+        None => host::run_unnamed(program, host, options),
+    };
     Some(match run.outcome.stop {
         Some((stop, _)) => Err(stop),
         None => {
-            let steps = limits.steps.saturating_sub(run.outcome.steps_left);
+            let steps = manner.limits.steps.saturating_sub(run.outcome.steps_left);
             Ok(Ran { layout: run.layout, trace: run.trace, exceptions: run.outcome.exceptions.len(), steps })
         }
     })

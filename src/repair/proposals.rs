@@ -51,6 +51,24 @@ impl Movers {
         let slopes = self.slopes[literal].get_or_insert_with(|| state.slopes(literal));
         slopes.iter().find(|(moved, _)| *moved as usize == object).map_or(0.0, |(_, slope)| slope[axis])
     }
+
+    /// The value of a literal at which a way is gone.
+    fn value(&mut self, state: &mut State, way: &Way, literal: usize) -> Option<f64> {
+        let own = self.slope(state, literal, way.object, way.axis);
+        let others = way.against.map_or(0.0, |other| self.slope(state, literal, other, way.axis));
+        let step = way.shift / (own - others);
+        (step.is_finite() && step.abs() < FAR && step != 0.0).then(|| state.value(literal) + step)
+    }
+}
+
+/// The values of one literal at which some errors clear.
+pub(super) fn of_literal(problem: &Problem, state: &mut State, errors: &[Violation], literal: usize) -> Vec<f64> {
+    let (mut movers, mut ways) = (Movers::of(state), Vec::new());
+    errors.iter().for_each(|error| ways_out(&problem.options().rules, state, error, &mut ways));
+    let mut values: Vec<f64> = ways.iter().filter_map(|way| movers.value(state, way, literal)).collect();
+    values.sort_by(f64::total_cmp);
+    values.dedup_by(|a, b| (*a - *b).abs() < 1e-6);
+    values
 }
 
 /// Whether a constant may be rewritten under these settings.
@@ -72,20 +90,15 @@ pub(super) fn constants(problem: &Problem, settings: &Settings, state: &mut Stat
         }
     }
     let mut proposals = Vec::new();
+    let allowed: Vec<bool> = state.literals().iter().map(|slice| is_allowed(problem, settings, ConstantId(slice.id))).collect();
     for way in &ways {
         let mut literals: Vec<usize> =
             state.movers(way.object).chain(way.against.into_iter().flat_map(|other| state.movers(other))).collect();
         literals.sort_unstable();
         literals.dedup();
-        for literal in literals {
-            if !is_allowed(problem, settings, ConstantId(state.literals()[literal].id)) {
-                continue;
-            }
-            let own = movers.slope(state, literal, way.object, way.axis);
-            let others = way.against.map_or(0.0, |other| movers.slope(state, literal, other, way.axis));
-            let step = way.shift / (own - others);
-            if step.is_finite() && step.abs() < FAR && step != 0.0 {
-                proposals.push(Proposal { literal, value: state.value(literal) + step });
+        for literal in literals.into_iter().filter(|literal| allowed[*literal]) {
+            if let Some(value) = movers.value(state, way, literal) {
+                proposals.push(Proposal { literal, value });
             }
         }
     }

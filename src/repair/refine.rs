@@ -3,8 +3,8 @@
 use crate::check::Violation;
 
 use super::changes::{Change, Changes};
-use super::guided::Search;
 use super::measure::Score;
+use super::search::Search;
 use super::state::State;
 
 /// Steps of bisection from a constant toward its original.
@@ -16,7 +16,7 @@ const ROUNDING: f64 = 0.02;
 /// Tidies a state up.
 pub(super) fn refine(search: &mut Search<'_>, state: State) -> State {
     let mut best = drop_unneeded(search, state);
-    for _ in 0..3 {
+    for _ in 0..2 {
         let before = best.changes.clone();
         best = exchange(search, best);
         best = drop_unneeded(search, best);
@@ -28,18 +28,22 @@ pub(super) fn refine(search: &mut Search<'_>, state: State) -> State {
     round(search, best)
 }
 
-/// Leaves out edits one by one while nothing gets worse.
-fn drop_unneeded(search: &mut Search<'_>, mut best: State) -> State {
+/// Leaves out edits one by one while nothing gets worse; of those that may go, the one that leaves the least movement.
+pub(super) fn drop_unneeded(search: &mut Search<'_>, mut best: State) -> State {
     loop {
         let changes: Vec<Change> = best.changes.iter().collect();
-        let shorter = changes.into_iter().find_map(|change| {
+        let mut shorter: Vec<(f64, Changes)> = Vec::new();
+        for change in changes {
             let without = best.changes.without(change);
-            let score = search.run(&without)?;
-            if score.is_as_clean_as(&best.score) { State::run(search.problem, without) } else { None }
-        });
-        match shorter {
-            Some(state) => best = state,
-            None => return best,
+            let Some(score) = search.try_changes(&mut best, &without) else { continue };
+            if score.is_as_clean_as(&best.score) {
+                shorter.push((search.cost(&score), without));
+            }
+        }
+        let Some((_, without)) = shorter.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)) else { return best };
+        match search.go(&best, without) {
+            Some(state) if search.is_as_clean(&state, &best) => best = state,
+            _ => return best,
         }
     }
 }
@@ -51,13 +55,13 @@ fn exchange(search: &mut Search<'_>, mut best: State) -> State {
         if !search.goes_on() {
             break;
         }
-        let Some(mut without) = State::run(search.problem, best.changes.without(change)) else { continue };
+        let Some(mut without) = search.go(&best, best.changes.without(change)) else { continue };
         let errors: Vec<Violation> = search.targets(&without);
-        let found = search.expand(&mut without, &errors, false);
+        let found = search.expand(&mut without, &errors, true);
         let better = |score: &Score| score.is_as_clean_as(&best.score) && search.cost(score) < search.cost(&best.score) - 1e-9;
-        let exchanged = found.into_iter().filter(|found| better(&found.score)).take(2);
-        let mut states = exchanged.filter_map(|found| without.after(search.problem, found.change));
-        if let Some(state) = states.find(|state| state.score.is_as_clean_as(&best.score)) {
+        let exchanged: Vec<Change> = found.into_iter().filter(|found| better(&found.score)).take(2).map(|found| found.change).collect();
+        let states = exchanged.into_iter().find_map(|change| search.follow(&without, change));
+        if let Some(state) = states.filter(|state| search.is_as_clean(state, &best)) {
             best = state;
         }
     }
@@ -82,7 +86,7 @@ fn pull_back(search: &mut Search<'_>, mut best: State) -> State {
                 _ => near = middle,
             }
         }
-        if let Some(state) = pulled.and_then(|value| best.after(search.problem, Change::Constant(id, value))) {
+        if let Some(state) = pulled.and_then(|value| search.follow(&best, Change::Constant(id, value))) {
             best = state;
         }
     }
@@ -98,7 +102,7 @@ fn round(search: &mut Search<'_>, mut best: State) -> State {
             let score = search.try_change(&mut best, Change::Constant(id, *short));
             score.is_some_and(|score| score.is_as_clean_as(&best.score))
         });
-        if let Some(state) = short.and_then(|short| best.after(search.problem, Change::Constant(id, short))) {
+        if let Some(state) = short.and_then(|short| search.follow(&best, Change::Constant(id, short))) {
             best = state;
         }
     }
@@ -108,11 +112,12 @@ fn round(search: &mut Search<'_>, mut best: State) -> State {
 /// Numbers near a value, fewest decimals first, of equally many that nearest to the original first.
 pub(super) fn candidates(value: f64, original: f64) -> Vec<f64> {
     let mut found = Vec::new();
-    for decimals in 0..=6 {
+    for decimals in 0..=12 {
         let unit = 10_f64.powi(decimals);
-        let mut both = [(value * unit).floor() / unit, (value * unit).ceil() / unit];
-        both.sort_by(|a, b| (a - original).abs().total_cmp(&(b - original).abs()));
-        found.extend(both.into_iter().filter(|short| (short - value).abs() <= ROUNDING.max(ROUNDING * value.abs()) && *short != value));
+        let (low, high) = ((value * unit).floor(), (value * unit).ceil());
+        let mut near = [low, high, low - 1.0, high + 1.0].map(|units| units / unit);
+        near.sort_by(|a, b| (a - original).abs().total_cmp(&(b - original).abs()));
+        found.extend(near.into_iter().filter(|short| (short - value).abs() <= ROUNDING.max(ROUNDING * value.abs())));
     }
     found.retain(|short| *short != original);
     found.into_iter().map(|short| if short == 0.0 { 0.0 } else { short }).collect()

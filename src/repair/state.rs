@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use smallvec::SmallVec;
+use smallvec::{SmallVec, smallvec};
 
 use crate::check::measure::{self as terms, Bounds, Gap};
-use crate::check::{Checker, ErrorKind, Violation, check};
-use crate::scene::{Body, Layout, Support, Target, Told};
+use crate::check::{Checker, ErrorKind, Verdict, Violation, check};
+use crate::scene::{Body, Layout, Outcome, Placed, Support, Target, Told};
 use crate::syntax::{ConstantId, DirectionId, Tuning};
-use crate::trace::{LiteralSlice, Num, Replay, Slices, Trace};
+use crate::trace::{AS_WRITTEN, Handle, LiteralSlice, Num, Replay, SITE, Slices, Trace};
 use ruff_text_size::TextRange;
 
 use super::changes::{Change, Changes};
@@ -20,16 +20,35 @@ use super::problem::{Problem, Ran};
 struct Record {
     trace: Trace,
     slices: Slices,
-    /// Per object, its center.
-    centers: Vec<[Num; 3]>,
-    /// Per literal, the objects that it moves.
+    /// Per object, where it stands and how it is turned.
+    poses: Vec<Pose>,
+    /// Per object, what the program told it to face.
+    told: Vec<Told>,
+    /// Per literal, the objects that it moves or turns.
     reached: Vec<Vec<u32>>,
     /// Per object, those that were told to face it.
     facers: Vec<Vec<u32>>,
-    /// Per object, the directions in the statements that turned it.
+    /// Per object, the directions that reach it, or stand in the statements that turned it.
     directions: Vec<Vec<DirectionId>>,
     bounds: Bounds,
 }
+
+/// The numbers of a body.
+#[derive(Clone, Copy, Debug)]
+struct Pose {
+    center: [Num; 3],
+    settled: Num,
+    instead: Num,
+}
+
+impl Pose {
+    fn handles(&self) -> impl Iterator<Item = Handle> + use<> {
+        [self.center[0], self.center[1], self.center[2], self.settled, self.instead].into_iter().map(|num| num.handle)
+    }
+}
+
+/// New values for literals of a record.
+pub(super) type Values = SmallVec<[(usize, f64); 2]>;
 
 /// The derivative of the centers of objects by a literal.
 pub(super) type Slopes = SmallVec<[(u32, [f64; 3]); 8]>;
@@ -50,7 +69,10 @@ pub(super) struct State {
 
 /// The score of a run.
 pub(super) fn score_of(problem: &Problem, layout: &Layout) -> Score {
-    let verdict = check(layout, &problem.options().rules);
+    score_with(problem, layout, &check(layout, &problem.options().rules))
+}
+
+fn score_with(problem: &Problem, layout: &Layout, verdict: &Verdict) -> Score {
     let mut score = Score { loss: verdict.loss(), count: verdict.counted().count(), moved: 0, work: 0.0 };
     for (before, after) in problem.layout().objects.iter().zip(&layout.objects) {
         let (distance, moved) = step(&before.body, &after.body);
@@ -63,8 +85,8 @@ pub(super) fn score_of(problem: &Problem, layout: &Layout) -> Score {
 impl State {
     /// The state after a recorded run.
     pub(super) fn of(problem: &Problem, changes: Changes, ran: Ran) -> State {
-        let score = score_of(problem, &ran.layout);
         let verdict = check(&ran.layout, &problem.options().rules);
+        let score = score_with(problem, &ran.layout, &verdict);
         let (bodies, record) = (ran.layout.bodies(), Arc::new(Record::of(problem.tuning(), ran)));
         let moved = vec![false; bodies.len()];
         let mut state = State {
@@ -107,10 +129,10 @@ impl State {
 
     /// The literals that move an object, as places among [`literals`](State::literals).
     pub(super) fn movers(&self, object: usize) -> impl Iterator<Item = usize> + '_ {
-        self.record.centers[object].iter().flat_map(|num| self.record.slices.reaching(num.handle))
+        self.record.poses[object].center.iter().flat_map(|num| self.record.slices.reaching(num.handle))
     }
 
-    /// The directions in the statements that turned an object.
+    /// The directions that reach an object, or stand in the statements that turned it.
     pub(super) fn directions(&self, object: usize) -> &[DirectionId] {
         &self.record.directions[object]
     }
@@ -127,7 +149,7 @@ impl State {
         let slice = &record.slices.literals()[literal];
         self.replay.set(&record.trace, slice, self.replay.literal(slice) + NEAR);
         let slope = |object: &u32| {
-            let (now, then) = (record.centers[*object as usize], self.bodies[*object as usize].center);
+            let (now, then) = (record.poses[*object as usize].center, self.bodies[*object as usize].center);
             (*object, [0, 1, 2].map(|k| (self.replay.now(now[k]) - then[k]) / NEAR))
         };
         let slopes = record.reached[literal].iter().map(slope).collect();
@@ -135,27 +157,34 @@ impl State {
         slopes
     }
 
-    /// What another value of a literal would give, by replay; `None` where a decision of the program comes out otherwise.
-    pub(super) fn try_literal(&mut self, problem: &Problem, literal: usize, value: f64) -> Option<Score> {
-        self.tried(problem, literal, value, None)
+    /// The literal of the record that a change gives a value, where there is one.
+    pub(super) fn replays(&self, change: Change) -> Option<(usize, f64)> {
+        match change {
+            Change::Constant(ConstantId(id), value) => Some((self.record.slices.index(id)?, value)),
+            Change::Turn(DirectionId(id), cardinal) => Some((self.record.slices.index(id | SITE)?, f64::from(cardinal as u8))),
+        }
+    }
+
+    /// What other values of literals would give, by replay; `None` where a decision of the program comes out otherwise.
+    pub(super) fn try_values(&mut self, problem: &Problem, values: &[(usize, f64)]) -> Option<Score> {
+        self.tried(problem, values, None)
     }
 
     /// The same with the errors that there would be.
     pub(super) fn try_errors(&mut self, problem: &Problem, literal: usize, value: f64) -> Option<(Score, Vec<Violation>)> {
         let mut errors = Vec::new();
-        let score = self.tried(problem, literal, value, Some(&mut errors))?;
+        let score = self.tried(problem, &[(literal, value)], Some(&mut errors))?;
         Some((score, errors))
     }
 
-    fn tried(&mut self, problem: &Problem, literal: usize, value: f64, keep: Option<&mut Vec<Violation>>) -> Option<Score> {
+    fn tried(&mut self, problem: &Problem, values: &[(usize, f64)], keep: Option<&mut Vec<Violation>>) -> Option<Score> {
         let record = Arc::clone(&self.record);
-        let slice = &record.slices.literals()[literal];
-        self.replay.set(&record.trace, slice, value);
-        if !self.replay.holds(&record.trace, slice) {
+        if !self.set(&record, values) {
             self.replay.undo();
             return None;
         }
-        let old = self.place(&record, literal);
+        let mut old = Vec::new();
+        values.iter().for_each(|(literal, _)| self.place(&record, *literal, &mut old));
         let score = self.rescore(problem, &record, &old, keep);
         for (object, body) in old {
             self.bodies[object as usize] = body;
@@ -165,19 +194,32 @@ impl State {
         Some(score)
     }
 
-    /// Moves the bodies that a literal reaches to where the replay has them; answers those that were elsewhere before.
-    fn place(&mut self, record: &Record, literal: usize) -> Vec<(u32, Body)> {
-        let mut old = Vec::new();
+    /// Replays some values; false where a decision of the program comes out otherwise.
+    fn set(&mut self, record: &Record, values: &[(usize, f64)]) -> bool {
+        let slices = record.slices.literals();
+        for (at, (literal, value)) in values.iter().enumerate() {
+            match at {
+                0 => self.replay.set(&record.trace, &slices[*literal], *value),
+                _ => self.replay.set_too(&record.trace, &slices[*literal], *value),
+            }
+        }
+        values.iter().all(|(literal, _)| self.replay.holds(&record.trace, &slices[*literal]))
+    }
+
+    /// Moves the bodies that a literal reaches to where the replay has them; `old` gets those that were elsewhere before.
+    fn place(&mut self, record: &Record, literal: usize, old: &mut Vec<(u32, Body)>) {
         for &object in &record.reached[literal] {
-            let body = &mut self.bodies[object as usize];
-            let center = record.centers[object as usize].map(|num| self.replay.now(num));
-            if center != body.center {
+            let (body, pose) = (&mut self.bodies[object as usize], &record.poses[object as usize]);
+            let center = pose.center.map(|num| self.replay.now(num));
+            let outcome = Outcome::from_code(self.replay.now(pose.settled));
+            let told = if self.replay.now(pose.instead) >= 0.0 { Told::Direction } else { record.told[object as usize] };
+            let turned = outcome.turn != body.turn || outcome.directed != body.directed || told != body.told;
+            if turned || center != body.center {
                 old.push((object, *body));
-                *body = body.at(center);
+                *body = Body { turn: outcome.turn, directed: outcome.directed, told, ..*body }.at(center);
                 self.moved[object as usize] = true;
             }
         }
-        old
     }
 
     /// The score after some bodies were moved: only the terms that read them are measured again. `keep` gets the errors.
@@ -265,29 +307,67 @@ impl State {
     /// The state after one more change.
     pub(super) fn after(&self, problem: &Problem, change: Change) -> Option<State> {
         let changes = self.changes.with(change, problem.tuning());
-        if changes == self.changes {
+        if changes == self.changes { None } else { self.to(problem, changes) }
+    }
+
+    /// The state with other changes: by replay if it may be, else by a run.
+    pub(super) fn to(&self, problem: &Problem, changes: Changes) -> Option<State> {
+        self.replayed(problem, &changes).or_else(|| State::run(problem, changes))
+    }
+
+    /// The state with other changes by replay; `None` where a decision of the program comes out otherwise.
+    pub(super) fn replayed(&self, problem: &Problem, changes: &Changes) -> Option<State> {
+        let values = self.values_to(problem, changes)?;
+        let record = Arc::clone(&self.record);
+        let mut next = self.clone();
+        if !next.set(&record, &values) {
             return None;
         }
-        if let Change::Constant(ConstantId(id), value) = change
-            && let Some(literal) = self.record.slices.index(id)
-            && changes.len() >= self.changes.len()
-        {
-            let mut next = self.clone();
-            let record = Arc::clone(&self.record);
-            let slice = &record.slices.literals()[literal];
-            next.replay.set(&record.trace, slice, value);
-            if next.replay.holds(&record.trace, slice) {
-                let old = next.place(&record, literal);
-                let mut violations = Vec::new();
-                next.score = next.rescore(problem, &record, &old, Some(&mut violations));
-                next.violations = violations;
-                next.moved.fill(false);
-                next.changes = changes;
-                next.carriers = (0..next.bodies.len()).map(|index| next.carrier(problem, index)).collect();
-                return Some(next);
+        let (mut old, mut violations) = (Vec::new(), Vec::new());
+        values.iter().for_each(|(literal, _)| next.place(&record, *literal, &mut old));
+        next.score = next.rescore(problem, &record, &old, Some(&mut violations));
+        next.violations = violations;
+        next.moved.fill(false);
+        next.changes = changes.clone();
+        next.carriers = (0..next.bodies.len()).map(|index| next.carrier(problem, index)).collect();
+        Some(next)
+    }
+
+    /// The values by which the record gets to other changes; `None` where one is not in it.
+    pub(super) fn values_to(&self, problem: &Problem, changes: &Changes) -> Option<Values> {
+        let mut values: Values = smallvec![];
+        let literals = self.record.slices.literals();
+        for (id, _) in self.changes.constants().filter(|(id, _)| changes.constant(*id).is_none()) {
+            values.push((self.record.slices.index(id.0)?, problem.tuning().constant(id)?.value));
+        }
+        for (id, _) in self.changes.turns().filter(|(id, _)| changes.turn(*id).is_none()) {
+            let literal = self.record.slices.index(id.0 | SITE)?;
+            // A run that put a turn in the place of a direction has not recorded what is written there.
+            if literals[literal].value != AS_WRITTEN {
+                return None;
+            }
+            values.push((literal, AS_WRITTEN));
+        }
+        for change in changes.iter() {
+            if self.changes.iter().all(|own| own != change) {
+                values.push(self.replays(change)?);
             }
         }
-        State::run(problem, changes)
+        Some(values)
+    }
+
+    /// What one replay of a literal costs, in units of the budget: more for long slices and for many objects.
+    pub(super) fn replay_cost(&self, values: &[(usize, f64)]) -> usize {
+        let of = |literal: usize| {
+            let (slice, reached) = (&self.literals()[literal], self.record.reached[literal].len());
+            (slice.nodes.len() + slice.guards.len()) / 64 + reached * self.bodies.len() / 512
+        };
+        1 + values.iter().map(|(literal, _)| of(*literal)).sum::<usize>()
+    }
+
+    /// Whether a literal reaches an object.
+    pub(super) fn reaches(&self, literal: usize, object: usize) -> bool {
+        self.record.reached[literal].contains(&(object as u32))
     }
 }
 
@@ -308,14 +388,18 @@ impl Record {
         let slices = Slices::of(&ran.trace).unwrap_or_default();
         let objects = &ran.layout.objects;
         let sliced = !slices.literals().is_empty();
-        let centers: Vec<[Num; 3]> = objects
-            .iter()
-            .map(|object| object.center.map(|coordinate| if sliced { coordinate.num } else { Num::plain(coordinate.value()) }))
-            .collect();
+        let known = |num: Num| if sliced { num } else { Num::plain(num.value) };
+        let pose = |object: &Placed| Pose {
+            center: object.center.map(|coordinate| known(coordinate.num)),
+            settled: known(object.settled),
+            instead: known(object.instead),
+        };
+        let poses: Vec<Pose> = objects.iter().map(pose).collect();
+        let told = objects.iter().map(|object| object.body.told).collect();
         let mut reached = vec![Vec::new(); slices.literals().len()];
         let mut facers = vec![Vec::new(); objects.len()];
         for (index, object) in objects.iter().enumerate() {
-            for literal in centers[index].iter().flat_map(|num| slices.reaching(num.handle)) {
+            for literal in poses[index].handles().flat_map(|handle| slices.reaching(handle)) {
                 let objects: &mut Vec<u32> = &mut reached[literal];
                 if objects.last() != Some(&(index as u32)) {
                     objects.push(index as u32);
@@ -325,8 +409,19 @@ impl Record {
                 facers[target.index()].push(index as u32);
             }
         }
-        let directions = objects.iter().map(|object| turned_by(tuning, &ran.layout, object.faced.map(|faced| faced.0))).collect();
-        Record { bounds: Bounds::of(&ran.layout.scene), trace: ran.trace, slices, centers, reached, facers, directions }
+        let sites = |index: usize| {
+            let literals = poses[index].handles().flat_map(|handle| slices.reaching(handle)).map(|literal| slices.literals()[literal].id);
+            literals.filter(|id| *id >= SITE).map(|id| DirectionId(id - SITE))
+        };
+        let turned_by = |(index, object): (usize, &Placed)| {
+            let mut directions = turned_by(tuning, &ran.layout, object.faced.map(|faced| faced.0));
+            directions.extend(sites(index));
+            directions.sort_unstable();
+            directions.dedup();
+            directions
+        };
+        let directions = objects.iter().enumerate().map(turned_by).collect();
+        Record { bounds: Bounds::of(&ran.layout.scene), trace: ran.trace, slices, poses, told, reached, facers, directions }
     }
 }
 

@@ -2,12 +2,12 @@
 
 use smallvec::SmallVec;
 
-use crate::trace::{Arith, Handle};
+use crate::trace::{AS_WRITTEN, Arith, Handle, Num};
 
 use super::origin::{OriginId, Origins};
 use super::settle::extents;
 use super::terms::{Anchor, Axis, Cardinal, Kind, ObjectId, Scalar, Support, Target};
-use super::thing::How;
+use super::thing::{How, Known};
 use super::world::{SceneInfo, World};
 
 /// What the program told an object to face.
@@ -106,6 +106,10 @@ pub struct Placed {
     pub declared: OriginId,
     /// The statement that set its facing last, and when.
     pub faced: Option<(OriginId, u32)>,
+    /// The number of how it settled, see [`Outcome::code`](super::Outcome::code).
+    pub settled: Num,
+    /// The direction that stands in place of what it was told to face, where it is not negative.
+    pub instead: Num,
 }
 
 impl Placed {
@@ -182,9 +186,9 @@ impl World {
     }
 
     fn placed<R: Arith + ?Sized>(&mut self, rec: &mut R, index: usize, path: String) -> Placed {
-        let outcome = self.settle(rec, ObjectId(index as u32));
+        let Known { outcome, code, turn } = self.settle(rec, ObjectId(index as u32));
         let thing = &self.things[index];
-        let center = Axis::ALL.map(|axis| thing.center(rec, axis, outcome.turn));
+        let center = Axis::ALL.map(|axis| thing.center(rec, axis, turn));
         let told = match thing.told.map(|told| told.how) {
             None => Told::Never,
             Some(How::Direction(_)) => Told::Direction,
@@ -218,6 +222,8 @@ impl World {
             anchors: thing.order.iter().filter_map(placed_anchor).collect(),
             declared: thing.declared,
             faced: thing.told.map(|told| (told.origin, told.when)),
+            settled: code,
+            instead: thing.told.map_or(Num::plain(AS_WRITTEN), |told| told.instead),
         }
     }
 }

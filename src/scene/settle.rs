@@ -1,9 +1,9 @@
 //! Settling: which way an object faces, decided from everything that the decision reads.
 //!
 //! The decision is one function of one value, [`decide`] of a [`Question`], so that a replay can ask it again with
-//! other numbers: a settling is one guard on its outcome.
+//! other numbers: how an object settles is a number of the record like all others, and so is the extent that follows from it.
 
-use crate::trace::{Decision, Num};
+use crate::trace::{Derivation, Num};
 
 use super::terms::{Anchor, Axis, Cardinal};
 
@@ -19,11 +19,23 @@ pub struct Outcome {
     pub directed: bool,
 }
 
+impl Outcome {
+    /// One number for both: the direction's, and 4 more where it is directed.
+    pub fn code(self) -> f64 {
+        f64::from(self.turn as u8 + if self.directed { 4 } else { 0 })
+    }
+
+    /// The outcome that a number stands for.
+    pub fn from_code(code: f64) -> Outcome {
+        Outcome { turn: Cardinal::from_turns(code as i64), directed: code >= 4.0 }
+    }
+}
+
 /// What an object was told to face.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Aim<N> {
-    /// A direction.
-    Direction(Cardinal),
+    /// A direction, in turns or degrees.
+    Direction(N),
     /// A point, in world coordinates.
     Point([N; 2]),
     /// The scene.
@@ -34,13 +46,13 @@ pub enum Aim<N> {
         dims: [f64; 3],
         /// Its anchors.
         anchors: Anchors<N>,
-        /// Its direction; in a cycle that is not decided yet, `YMax`.
-        turn: Cardinal,
+        /// The number of its direction; in a cycle that is not decided yet, that of `YMax`.
+        turn: N,
     },
     /// Nothing. `precedent` is the first settled object of the category.
     Free {
-        /// Its outcome.
-        precedent: Option<Outcome>,
+        /// The number of its outcome.
+        precedent: Option<N>,
     },
 }
 
@@ -55,6 +67,8 @@ pub struct Question<N> {
     pub scene: [f64; 3],
     /// What it was told.
     pub aim: Aim<N>,
+    /// The direction that stands in place of what it was told, where it is not negative.
+    pub instead: N,
 }
 
 fn map_anchors<N: Copy, M>(anchors: &Anchors<N>, f: &mut impl FnMut(N) -> M) -> Anchors<M> {
@@ -66,26 +80,23 @@ impl<N: Copy> Question<N> {
     pub fn map<M>(&self, mut f: impl FnMut(N) -> M) -> Question<M> {
         let anchors = map_anchors(&self.anchors, &mut f);
         let aim = match &self.aim {
-            Aim::Direction(turn) => Aim::Direction(*turn),
-            Aim::Point(point) => Aim::Point(point.map(f)),
+            Aim::Direction(turn) => Aim::Direction(f(*turn)),
+            Aim::Point(point) => Aim::Point(point.map(&mut f)),
             Aim::Scene => Aim::Scene,
-            Aim::Object { dims, anchors, turn } => Aim::Object { dims: *dims, anchors: map_anchors(anchors, &mut f), turn: *turn },
-            Aim::Free { precedent } => Aim::Free { precedent: *precedent },
+            Aim::Object { dims, anchors, turn } => Aim::Object { dims: *dims, anchors: map_anchors(anchors, &mut f), turn: f(*turn) },
+            Aim::Free { precedent } => Aim::Free { precedent: precedent.map(&mut f) },
         };
-        Question { dims: self.dims, anchors, scene: self.scene, aim }
+        Question { dims: self.dims, anchors, scene: self.scene, aim, instead: f(self.instead) }
     }
 }
 
-/// A settling as a guard: asked again, it must have the same outcome.
+/// A settling as a number of the record: that of its outcome.
 #[derive(Debug)]
-pub(super) struct Settled {
-    pub(super) question: Question<Num>,
-    pub(super) outcome: Outcome,
-}
+pub(super) struct Settled(pub(super) Question<Num>);
 
-impl Decision for Settled {
-    fn holds(&self, now: &dyn Fn(Num) -> f64) -> bool {
-        decide(&self.question.map(now)) == self.outcome
+impl Derivation for Settled {
+    fn value(&self, now: &dyn Fn(Num) -> f64) -> f64 {
+        decide(&self.0.map(now)).code()
     }
 }
 
@@ -132,15 +143,19 @@ pub fn toward(from: [f64; 3], target: [f64; 3], size: [f64; 3]) -> Cardinal {
 /// Which way the object faces.
 pub fn decide(question: &Question<f64>) -> Outcome {
     let aimed = |target, size| Outcome { turn: settle_toward(question, target, size), directed: true };
+    let directed = |number| Outcome { turn: Cardinal::from_number(number).unwrap_or(Cardinal::YMax), directed: true };
+    if question.instead >= 0.0 {
+        return directed(question.instead);
+    }
     match &question.aim {
-        Aim::Direction(turn) => Outcome { turn: *turn, directed: true },
+        Aim::Direction(turn) => directed(*turn),
         Aim::Point([x, y]) => aimed([*x, *y, 0.0], [0.0; 3]),
         Aim::Scene => aimed([0.0; 3], question.scene),
         Aim::Object { dims, anchors, turn } => {
-            let size = extents(*dims, *turn);
+            let size = extents(*dims, Cardinal::from_turns(*turn as i64));
             aimed(center(anchors, size), size)
         }
-        Aim::Free { precedent } => infer(question, *precedent),
+        Aim::Free { precedent } => infer(question, precedent.map(Outcome::from_code)),
     }
 }
 

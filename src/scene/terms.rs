@@ -101,6 +101,11 @@ impl Cardinal {
         turns.is_finite().then(|| Cardinal::from_turns((turns % 4.0) as i64))
     }
 
+    /// From a number that [`index`](Cardinal::index) gave.
+    pub(super) fn of_turn(turn: Num) -> Cardinal {
+        Cardinal::from_turns(turn.value as i64)
+    }
+
     /// The other way.
     pub const fn opposite(self) -> Cardinal {
         Cardinal::ALL[(self as usize + 2) % 4]

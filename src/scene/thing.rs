@@ -23,6 +23,8 @@ pub(super) struct Slot {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Told {
     pub(super) how: How,
+    /// The direction that may stand in its place.
+    pub(super) instead: Num,
     pub(super) origin: OriginId,
     pub(super) when: u32,
 }
@@ -30,7 +32,8 @@ pub(super) struct Told {
 /// What it was told, resolved to world coordinates.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum How {
-    Direction(Cardinal),
+    /// As the program gave it.
+    Direction(Num),
     Point([Num; 2]),
     Toward(Target),
 }
@@ -52,7 +55,17 @@ pub(super) struct Thing {
     pub(super) order: SmallVec<[Axis; 3]>,
     pub(super) told: Option<Told>,
     /// `None` until settled, and again after a new facing.
-    pub(super) outcome: Option<Outcome>,
+    pub(super) outcome: Option<Known>,
+}
+
+/// How an object settled.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Known {
+    pub(super) outcome: Outcome,
+    /// The outcome's number.
+    pub(super) code: Num,
+    /// The number of its direction.
+    pub(super) turn: Num,
 }
 
 impl Thing {
@@ -64,9 +77,20 @@ impl Thing {
         self.slots.map(|slot| slot.map(|slot| (slot.anchor, slot.value.num)))
     }
 
+    /// Half the extent on one axis, facing `turn`.
+    fn half<R: Arith + ?Sized>(&self, rec: &mut R, axis: Axis, turn: Num) -> Num {
+        let [width, depth, height] = self.size();
+        match axis {
+            Axis::Z => Num::plain(0.5 * height),
+            _ if turn.handle.is_none() || width == depth => Num::plain(0.5 * extents(self.size(), Cardinal::of_turn(turn))[axis.index()]),
+            Axis::X => rec.choose(turn, [0.5 * depth, 0.5 * width]),
+            Axis::Y => rec.choose(turn, [0.5 * width, 0.5 * depth]),
+        }
+    }
+
     /// The center on one axis, facing `turn`.
-    pub(super) fn center<R: Arith + ?Sized>(&self, rec: &mut R, axis: Axis, turn: Cardinal) -> Scalar {
-        let half = Num::plain(0.5 * extents(self.size(), turn)[axis.index()]);
+    pub(super) fn center<R: Arith + ?Sized>(&self, rec: &mut R, axis: Axis, turn: Num) -> Scalar {
+        let half = self.half(rec, axis, turn);
         match self.slots[axis.index()] {
             Some(Slot { anchor: Anchor::Center, value, .. }) => value,
             Some(Slot { anchor: Anchor::Min, value, .. }) => rec.add(value.num, half).into(),
@@ -77,9 +101,9 @@ impl Thing {
     }
 
     /// A part of the box in world coordinates, facing `turn`.
-    pub(super) fn part<R: Arith + ?Sized>(&self, rec: &mut R, anchor: Anchor, axis: Axis, turn: Cardinal) -> Scalar {
+    pub(super) fn part<R: Arith + ?Sized>(&self, rec: &mut R, anchor: Anchor, axis: Axis, turn: Num) -> Scalar {
         let center = self.center(rec, axis, turn);
-        let half = Num::plain(0.5 * extents(self.size(), turn)[axis.index()]);
+        let half = self.half(rec, axis, turn);
         match anchor {
             Anchor::Center => center,
             Anchor::Min => rec.sub(center.num, half).into(),

@@ -5,15 +5,15 @@ use std::collections::BTreeSet;
 use indexmap::IndexSet;
 use smallvec::SmallVec;
 
-use crate::trace::{Arith, Decision, Num};
+use crate::trace::{AS_WRITTEN, Arith, Decision, Handle, Num, Op};
 
 use super::error::SceneError;
 use super::frame::Frame;
 use super::layout::{Warning, WarningKind};
 use super::origin::{OriginId, Origins};
-use super::settle::{Aim, Outcome, Question, Settled, decide};
+use super::settle::{Aim, Question, Settled, decide};
 use super::terms::{Anchor, Axis, Cardinal, Given, Kind, ObjectId, Scalar, Support, Target, category_of};
-use super::thing::{How, Slot, Thing, Told};
+use super::thing::{How, Known, Slot, Thing, Told};
 
 /// How many objects a scene holds at most; more are a `MemoryError`.
 pub const MAX_OBJECTS: usize = 200_000;
@@ -88,16 +88,13 @@ pub enum FacingSpec {
     Point([Num; 2]),
 }
 
-/// A direction that came from a number which literals reach.
+/// A number which literals reach became a direction.
 #[derive(Debug)]
-struct Direction {
-    number: Num,
-    turn: Cardinal,
-}
+struct IsDirection(Num);
 
-impl Decision for Direction {
+impl Decision for IsDirection {
     fn holds(&self, now: &dyn Fn(Num) -> f64) -> bool {
-        Cardinal::from_number(now(self.number)) == Some(self.turn)
+        Cardinal::from_number(now(self.0)).is_some()
     }
 }
 
@@ -326,7 +323,8 @@ impl World {
         };
         let (part, along) = self.frame.anchor_in_world(anchor, axis);
         let num = self.frame.world(rec, axis, value.num, value.int);
-        for num in [value.num, num] {
+        let through_frame = (num.handle != value.num.handle).then_some(num);
+        for num in [value.num].into_iter().chain(through_frame) {
             if !rec.finite(num) {
                 let shown = Scalar::from(num).shown();
                 return Err(SceneError::not_finite(self.name(target), anchor, axis, &shown));
@@ -341,23 +339,27 @@ impl World {
         Ok(())
     }
 
-    /// Tells an object what to face.
+    /// Tells an object what to face. `site` is the direction of the program that may stand in its place.
     pub fn set_facing<R: Arith + ?Sized>(
         &mut self,
         rec: &mut R,
         id: ObjectId,
         spec: &FacingSpec,
+        site: Handle,
         origin: OriginId,
     ) -> Result<(), SceneError> {
+        let instead = Num { value: AS_WRITTEN, handle: site };
         let how = match *spec {
             FacingSpec::Nothing => return Ok(()),
             FacingSpec::Toward(target) | FacingSpec::CenterOf(target) if target == Target::Object(id) => {
+                rec.pin(instead);
                 self.warn(WarningKind::SelfFacing, Some(id), origin);
                 return Ok(());
             }
             FacingSpec::Toward(target) => How::Toward(target),
             FacingSpec::Number(number) => How::Direction(direction(rec, number.num)?),
             FacingSpec::CenterOf(target) => {
+                self.pin_if_unsettled(rec, target, instead);
                 let [x, y] = [Axis::X, Axis::Y].map(|axis| self.read(rec, target, Anchor::Center, axis).num);
                 How::Point(self.frame.point(rec, x, y))
             }
@@ -372,17 +374,24 @@ impl World {
         };
         self.writes += 1;
         let thing = &mut self.things[id.index()];
-        thing.told = Some(Told { how, origin, when: self.writes });
+        thing.told = Some(Told { how, instead, origin, when: self.writes });
         thing.outcome = None;
         self.settled[thing.category].remove(&id.0);
         Ok(())
     }
 
-    /// The direction that an object faces, settled now; the scene faces `YMax`.
-    pub fn facing<R: Arith + ?Sized>(&mut self, rec: &mut R, target: Target) -> Cardinal {
+    /// What is asked of another object settles it; a direction in its place would not ask.
+    fn pin_if_unsettled<R: Arith + ?Sized>(&self, rec: &mut R, target: Target, instead: Num) {
+        if matches!(target, Target::Object(id) if self.things[id.index()].outcome.is_none()) {
+            rec.pin(instead);
+        }
+    }
+
+    /// The number of the direction that an object faces, settled now; the scene faces `YMax`.
+    pub fn facing<R: Arith + ?Sized>(&mut self, rec: &mut R, target: Target) -> Scalar {
         match target {
-            Target::Scene => Cardinal::YMax,
-            Target::Object(id) => self.settle(rec, id).turn,
+            Target::Scene => Scalar::int(Cardinal::YMax as i64),
+            Target::Object(id) => Scalar { num: self.settle(rec, id).turn, int: true },
         }
     }
 
@@ -392,8 +401,9 @@ impl World {
             Target::Scene => Frame::WORLD,
             Target::Object(id) => {
                 let turn = self.settle(rec, id).turn;
+                rec.pin(turn);
                 let thing = &self.things[id.index()];
-                Frame { origin: [Axis::X, Axis::Y].map(|axis| thing.center(rec, axis, turn).num), turn }
+                Frame { origin: [Axis::X, Axis::Y].map(|axis| thing.center(rec, axis, turn).num), turn: Cardinal::of_turn(turn) }
             }
         };
     }
@@ -409,37 +419,43 @@ impl World {
     }
 
     /// Settles an object, and before it those that it faces. In a cycle the last one asked counts as turned to `YMax`.
-    pub(super) fn settle<R: Arith + ?Sized>(&mut self, rec: &mut R, id: ObjectId) -> Outcome {
-        if let Some(outcome) = self.things[id.index()].outcome {
-            return outcome;
+    pub(super) fn settle<R: Arith + ?Sized>(&mut self, rec: &mut R, id: ObjectId) -> Known {
+        if let Some(known) = self.things[id.index()].outcome {
+            return known;
         }
         let mut chain: IndexSet<ObjectId, rustc_hash::FxBuildHasher> = IndexSet::default();
         let mut next = Some(id);
         while let Some(id) = next {
             chain.insert(id);
-            next = match self.things[id.index()].told.map(|told| told.how) {
+            let told = self.things[id.index()].told;
+            next = match told.map(|told| told.how) {
                 Some(How::Toward(Target::Object(target))) => Some(target),
                 _ => None,
             };
+            if let Some((target, told)) = next.zip(told) {
+                self.pin_if_unsettled(rec, Target::Object(target), told.instead);
+            }
             next = next.filter(|target| self.things[target.index()].outcome.is_none() && !chain.contains(target));
         }
-        let mut outcome = Outcome { turn: Cardinal::YMax, directed: false };
+        let mut last = self.decide(rec, chain.pop().unwrap_or(id));
         while let Some(id) = chain.pop() {
-            outcome = self.decide(rec, id);
+            last = self.decide(rec, id);
         }
-        outcome
+        last
     }
 
-    fn decide<R: Arith + ?Sized>(&mut self, rec: &mut R, id: ObjectId) -> Outcome {
+    fn decide<R: Arith + ?Sized>(&mut self, rec: &mut R, id: ObjectId) -> Known {
         let question = self.question(id);
         let outcome = decide(&question.map(|num| num.value));
         let mut inputs: SmallVec<[Num; 8]> = SmallVec::new();
         question.map(|num| inputs.push(num));
-        rec.decided(&inputs, &mut || Box::new(Settled { question, outcome }));
+        let code = rec.derived(&inputs, outcome.code(), &mut || Box::new(Settled(question)));
+        let turn = rec.compute(Op::Fmod, code, Num::plain(4.0));
+        let known = Known { outcome, code, turn };
         let thing = &mut self.things[id.index()];
-        thing.outcome = Some(outcome);
+        thing.outcome = Some(known);
         self.settled[thing.category].insert(id.0);
-        outcome
+        known
     }
 
     fn question(&self, id: ObjectId) -> Question<Num> {
@@ -450,27 +466,28 @@ impl World {
             Some(How::Toward(Target::Scene)) => Aim::Scene,
             Some(How::Toward(Target::Object(target))) => {
                 let target = &self.things[target.index()];
-                let turn = target.outcome.map_or(Cardinal::YMax, |outcome| outcome.turn);
+                let turn = target.outcome.map_or(Num::plain(f64::from(Cardinal::YMax as u8)), |known| known.turn);
                 Aim::Object { dims: target.size(), anchors: target.anchors(), turn }
             }
             None => {
                 let first = self.settled[thing.category].first();
-                Aim::Free { precedent: first.and_then(|id| self.things[*id as usize].outcome) }
+                Aim::Free { precedent: first.and_then(|id| self.things[*id as usize].outcome).map(|known| known.code) }
             }
         };
-        Question { dims: thing.size(), anchors: thing.anchors(), scene: self.scene.size(), aim }
+        let instead = thing.told.map_or(Num::plain(AS_WRITTEN), |told| told.instead);
+        Question { dims: thing.size(), anchors: thing.anchors(), scene: self.scene.size(), aim, instead }
     }
 }
 
-/// What a number means as a facing; for NaN and infinity what Python says of their truncation.
-fn direction<R: Arith + ?Sized>(rec: &mut R, number: Num) -> Result<Cardinal, SceneError> {
-    let turn = Cardinal::from_number(number.value).ok_or_else(|| {
+/// A number as a facing; for NaN and infinity what Python says of their truncation.
+fn direction<R: Arith + ?Sized>(rec: &mut R, number: Num) -> Result<Num, SceneError> {
+    Cardinal::from_number(number.value).ok_or_else(|| {
         if number.value.is_nan() {
             SceneError::value("cannot convert float NaN to integer")
         } else {
             SceneError { exception: "OverflowError", message: "cannot convert float infinity to integer".into() }
         }
     })?;
-    rec.decided(&[number], &mut || Box::new(Direction { number, turn }));
-    Ok(turn)
+    rec.decided(&[number], &mut || Box::new(IsDirection(number)));
+    Ok(number)
 }

@@ -3,12 +3,19 @@
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use super::{Num, Op, Trace};
+use super::replay::choice;
+use super::{Guard, Handle, Node, Num, Op, Trace, apply};
 
 /// A decision taken on recorded numbers, in a form that can be asked again with other numbers.
 pub trait Decision: Debug + Send + Sync {
     /// True where the decision comes out as it did. `now` gives the present value of a number that took part.
     fn holds(&self, now: &dyn Fn(Num) -> f64) -> bool;
+}
+
+/// A number that follows from others in a way that is no operation of the table.
+pub trait Derivation: Debug + Send + Sync {
+    /// The number. `now` gives the present value of a number that it follows from; which are asked does not depend on their values.
+    fn value(&self, now: &dyn Fn(Num) -> f64) -> f64;
 }
 
 /// Does float arithmetic and, where a record is kept, remembers it.
@@ -22,6 +29,14 @@ pub trait Arith {
     fn sub(&mut self, a: Num, b: Num) -> Num;
     /// `-a`
     fn neg(&mut self, a: Num) -> Num;
+    /// `a op b`, as the replay table has it.
+    fn compute(&mut self, op: Op, a: Num, b: Num) -> Num;
+    /// The first of two numbers for an even turn, the second for an odd one.
+    fn choose(&mut self, turn: Num, of: [f64; 2]) -> Num;
+    /// The run depends on this very value.
+    fn pin(&mut self, a: Num);
+    /// `value` follows from `inputs`. `make` is called only where a record is kept and an input has a handle.
+    fn derived(&mut self, inputs: &[Num], value: f64, make: &mut dyn FnMut() -> Box<dyn Derivation>) -> Num;
     /// Whether `a` is finite; the answer is a decision of the run.
     fn finite(&mut self, a: Num) -> bool;
     /// The number became the size of something: no literal that reaches it may be tuned.
@@ -51,6 +66,24 @@ impl Arith for Plain {
     }
 
     #[inline]
+    fn compute(&mut self, op: Op, a: Num, b: Num) -> Num {
+        Num::plain(apply(op, a.value, b.value))
+    }
+
+    #[inline]
+    fn choose(&mut self, turn: Num, of: [f64; 2]) -> Num {
+        Num::plain(choice(turn.value, of))
+    }
+
+    #[inline]
+    fn pin(&mut self, _: Num) {}
+
+    #[inline]
+    fn derived(&mut self, _: &[Num], value: f64, _: &mut dyn FnMut() -> Box<dyn Derivation>) -> Num {
+        Num::plain(value)
+    }
+
+    #[inline]
     fn finite(&mut self, a: Num) -> bool {
         a.value.is_finite()
     }
@@ -60,16 +93,6 @@ impl Arith for Plain {
 
     #[inline]
     fn decided(&mut self, _: &[Num], _: &mut dyn FnMut() -> Box<dyn Decision>) {}
-}
-
-/// A number must stay finite.
-#[derive(Debug)]
-struct Finite(Num, bool);
-
-impl Decision for Finite {
-    fn holds(&self, now: &dyn Fn(Num) -> f64) -> bool {
-        now(self.0).is_finite() == self.1
-    }
 }
 
 impl Arith for Trace {
@@ -92,8 +115,34 @@ impl Arith for Trace {
 
     fn finite(&mut self, a: Num) -> bool {
         let answer = a.value.is_finite();
-        self.decided(&[a], &mut || Box::new(Finite(a, answer)));
+        if !a.handle.is_none() {
+            self.guard(Guard::Finite(a, answer));
+        }
         answer
+    }
+
+    fn compute(&mut self, op: Op, a: Num, b: Num) -> Num {
+        let value = apply(op, a.value, b.value);
+        Num { value, handle: self.binary(op, a, b, value) }
+    }
+
+    fn choose(&mut self, turn: Num, of: [f64; 2]) -> Num {
+        let value = choice(turn.value, of);
+        let handle = if turn.handle.is_none() { Handle::NONE } else { self.push(Node::Choice(turn, of, value)) };
+        Num { value, handle }
+    }
+
+    fn pin(&mut self, a: Num) {
+        Trace::pin(self, a);
+    }
+
+    fn derived(&mut self, inputs: &[Num], value: f64, make: &mut dyn FnMut() -> Box<dyn Derivation>) -> Num {
+        if inputs.iter().all(|input| input.handle.is_none()) || !self.has_room(self.derivations.len()) {
+            return Num::plain(value);
+        }
+        let handle = self.push(Node::Derived(self.derivations.len() as u32, value));
+        self.derivations.push(Arc::from(make()));
+        Num { value, handle }
     }
 
     fn set_in_stone(&mut self, a: Num) {

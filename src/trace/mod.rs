@@ -11,14 +11,21 @@ mod op;
 mod replay;
 mod slices;
 
+use std::cell::RefCell;
 use std::sync::Arc;
 
-pub use arith::{Arith, Decision, Plain};
+pub use arith::{Arith, Decision, Derivation, Plain};
 pub use divide::{float_divmod, float_floor_div, float_mod};
 pub use norm::norm;
 pub use op::Op;
 pub use replay::{Replay, Table, apply};
 pub use slices::{LiteralSlice, Slices};
+
+/// The numbers of directions among the literals of a record begin here.
+pub const SITE: u32 = 1 << 31;
+
+/// The value of a direction in place of which nothing stands.
+pub const AS_WRITTEN: f64 = -1.0;
 
 /// The place of a number in the record of a run; [`Handle::NONE`] for a number that no tunable literal reaches.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash, PartialOrd, Ord)]
@@ -60,13 +67,17 @@ pub enum Node {
     Unary(Op, Num, f64),
     /// `a op b`
     Binary(Op, Num, Num, f64),
+    /// One of two numbers, by a turn: the first where it is even.
+    Choice(Num, [f64; 2], f64),
+    /// Something that is more than an operation, by its place among the derivations.
+    Derived(u32, f64),
 }
 
 impl Node {
     /// The number as it was in the recorded run.
     pub fn value(&self) -> f64 {
         match *self {
-            Node::Literal(_, v) | Node::Unary(_, _, v) | Node::Binary(_, _, _, v) => v,
+            Node::Literal(_, v) | Node::Unary(_, _, v) | Node::Binary(_, _, _, v) | Node::Choice(_, _, v) | Node::Derived(_, v) => v,
         }
     }
 }
@@ -78,6 +89,10 @@ pub enum Guard {
     Equals(Num),
     /// `a` compares with `b` in this way (`None`: unordered).
     Order(Num, Num, Option<std::cmp::Ordering>),
+    /// The number is zero, or is not.
+    Zero(Num, bool),
+    /// The number is finite, or is not.
+    Finite(Num, bool),
 }
 
 /// The record of a run. Off unless asked for: then literals carry no handles and nothing is ever recorded.
@@ -86,8 +101,10 @@ pub struct Trace {
     nodes: Vec<Node>,
     guards: Vec<Guard>,
     decisions: Vec<Arc<dyn Decision>>,
+    derivations: Vec<Arc<dyn Derivation>>,
     stone: Vec<Handle>,
     on: bool,
+    turns: bool,
     limit: usize,
     full: bool,
 }
@@ -96,6 +113,16 @@ impl Trace {
     /// A trace that records up to `limit` nodes and guards; past that, [`is_full`](Trace::is_full) says that it is of no use.
     pub fn recording(limit: usize) -> Trace {
         Trace { on: true, limit, ..Trace::default() }
+    }
+
+    /// The same trace, with directions among the literals.
+    pub fn with_turns(self) -> Trace {
+        Trace { turns: self.on, ..self }
+    }
+
+    /// Whether directions are among the literals.
+    pub fn has_turns(&self) -> bool {
+        self.turns
     }
 
     /// Whether anything is recorded.
@@ -133,6 +160,29 @@ impl Trace {
         if self.on { self.push(Node::Literal(id, value)) } else { Handle::NONE }
     }
 
+    /// The handle of what stands in place of a direction, [`AS_WRITTEN`] where nothing does.
+    pub fn site(&mut self, direction: u32, value: f64) -> Handle {
+        if self.turns { self.push(Node::Literal(direction | SITE, value)) } else { Handle::NONE }
+    }
+
+    /// Visits the numbers that a node was made of.
+    pub fn operands(&self, node: &Node, visit: &mut dyn FnMut(Num)) {
+        match *node {
+            Node::Literal(..) => {}
+            Node::Unary(_, a, _) | Node::Choice(a, ..) => visit(a),
+            Node::Binary(_, a, b, _) => [a, b].into_iter().for_each(visit),
+            Node::Derived(at, _) => {
+                // A derivation says what it reads by reading it.
+                let read = RefCell::new(Vec::new());
+                self.derivations[at as usize].value(&|num| {
+                    read.borrow_mut().push(num);
+                    num.value
+                });
+                read.into_inner().into_iter().for_each(visit);
+            }
+        }
+    }
+
     /// Records `op a = result`.
     #[inline]
     pub fn unary(&mut self, op: Op, a: Num, result: f64) -> Handle {
@@ -158,6 +208,14 @@ impl Trace {
     pub fn order(&mut self, a: Num, b: Num) {
         if a.handle.0 | b.handle.0 != 0 {
             self.guard(Guard::Order(a, b, a.value.partial_cmp(&b.value)));
+        }
+    }
+
+    /// Records that the run depends on whether the number is zero.
+    #[inline]
+    pub fn zero(&mut self, a: Num) {
+        if !a.handle.is_none() {
+            self.guard(Guard::Zero(a, a.value == 0.0));
         }
     }
 

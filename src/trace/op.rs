@@ -18,7 +18,9 @@ pub enum Op {
     Pow,
     Neg,
     Abs,
+    /// `min(a, b)` of Python: `a` unless `b` is less.
     Min,
+    /// `max(a, b)` of Python: `a` unless `b` is greater.
     Max,
     Sqrt,
     Sin,
@@ -43,6 +45,8 @@ pub enum Op {
     Round,
     Fmod,
     Copysign,
+    /// `a` unless it is negative, else `b`: what stands in place of a direction, or the direction as it is written.
+    Override,
     /// `int → float` and back where nothing is lost.
     Same,
 }

@@ -17,8 +17,27 @@ pub fn apply(op: Op, a: f64, b: f64) -> f64 {
         Op::Pow => libm::pow(a, b),
         Op::Neg => -a,
         Op::Abs => a.abs(),
-        Op::Min => a.min(b),
-        Op::Max => a.max(b),
+        Op::Min => {
+            if b < a {
+                b
+            } else {
+                a
+            }
+        }
+        Op::Max => {
+            if b > a {
+                b
+            } else {
+                a
+            }
+        }
+        Op::Override => {
+            if a >= 0.0 {
+                a
+            } else {
+                b
+            }
+        }
         Op::Sqrt => a.sqrt(),
         Op::Sin => libm::sin(a),
         Op::Cos => libm::cos(a),
@@ -43,6 +62,11 @@ pub fn apply(op: Op, a: f64, b: f64) -> f64 {
         Op::Copysign => a.copysign(b),
         Op::Same => a,
     }
+}
+
+/// The first of two numbers for an even turn, the second for an odd one.
+pub(super) fn choice(by: f64, of: [f64; 2]) -> f64 {
+    of[usize::from(by % 2.0 != 0.0)]
 }
 
 /// The present values of the numbers of a record.
@@ -80,6 +104,11 @@ impl Replay {
     /// Gives a literal another value and computes again what depends on it. [`undo`](Replay::undo) takes it back.
     pub fn set(&mut self, trace: &Trace, slice: &LiteralSlice, value: f64) {
         self.undo.clear();
+        self.set_too(trace, slice, value);
+    }
+
+    /// The same with one more literal; [`undo`](Replay::undo) takes both back.
+    pub fn set_too(&mut self, trace: &Trace, slice: &LiteralSlice, value: f64) {
         for root in &slice.roots {
             self.put(*root, value);
         }
@@ -88,6 +117,8 @@ impl Replay {
                 Node::Literal(..) => continue,
                 Node::Unary(op, a, _) => (self.table)(op, self.now(a), 0.0),
                 Node::Binary(op, a, b, _) => (self.table)(op, self.now(a), self.now(b)),
+                Node::Choice(by, of, _) => choice(self.now(by), of),
+                Node::Derived(at, _) => trace.derivations[at as usize].value(&|num| self.now(num)),
             };
             self.put(at, now);
         }
@@ -99,9 +130,9 @@ impl Replay {
         self.undo.push((at, old));
     }
 
-    /// Takes the last [`set`](Replay::set) back.
+    /// Takes the last [`set`](Replay::set) and what was set too back.
     pub fn undo(&mut self) {
-        for (at, old) in self.undo.drain(..) {
+        for (at, old) in self.undo.drain(..).rev() {
             self.values[at as usize] = old;
         }
     }
@@ -111,6 +142,8 @@ impl Replay {
         let guard = |at: &u32| match trace.guards()[*at as usize] {
             Guard::Equals(a) => self.now(a).to_bits() == a.value.to_bits(),
             Guard::Order(a, b, order) => self.now(a).partial_cmp(&self.now(b)) == order,
+            Guard::Zero(a, zero) => (self.now(a) == 0.0) == zero,
+            Guard::Finite(a, finite) => self.now(a).is_finite() == finite,
         };
         let decision = |at: &u32| trace.decisions()[*at as usize].holds(&|num| self.now(num));
         slice.guards.iter().all(guard) && slice.decisions.iter().all(decision)

@@ -2,6 +2,8 @@
 
 use std::cell::RefCell;
 
+use smallvec::SmallVec;
+
 use super::{Guard, Handle, Node, Num, Trace};
 
 /// A record whose table of dependencies would have more words than this is not sliced.
@@ -10,7 +12,7 @@ const MAX_WORDS: usize = 8_000_000;
 /// All that one literal reaches, in the order of the record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LiteralSlice {
-    /// The number of the literal in the program.
+    /// The number of the literal in the program; of a direction, with [`SITE`](super::SITE).
     pub id: u32,
     /// Its value in the recorded run.
     pub value: f64,
@@ -64,8 +66,13 @@ impl Slices {
                         self.literals[literal].roots.push(at as u32);
                     }
                 }
-                Node::Unary(_, a, _) => self.join(at, &[a]),
+                Node::Unary(_, a, _) | Node::Choice(a, ..) => self.join(at, &[a]),
                 Node::Binary(_, a, b, _) => self.join(at, &[a, b]),
+                Node::Derived(..) => {
+                    let mut operands: SmallVec<[Num; 8]> = SmallVec::new();
+                    trace.operands(node, &mut |num| operands.push(num));
+                    self.join(at, &operands);
+                }
             }
         }
     }
@@ -85,7 +92,7 @@ impl Slices {
     fn follow_guards(&mut self, trace: &Trace) {
         for (at, guard) in trace.guards().iter().enumerate() {
             let handles = match guard {
-                Guard::Equals(a) => [a.handle, Handle::NONE],
+                Guard::Equals(a) | Guard::Zero(a, _) | Guard::Finite(a, _) => [a.handle, Handle::NONE],
                 Guard::Order(a, b, _) => [a.handle, b.handle],
             };
             for literal in self.reaching_any(&handles) {

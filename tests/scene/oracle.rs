@@ -177,12 +177,12 @@ impl Script {
                 self.0.write(&mut Plain, target, anchor, axis, &value, Origins::NOWHERE)?;
             }
             "read" => return Ok(shown(self.read(&call[1], &call[2], &call[3]))),
-            "facing" => return Ok(json!(self.0.facing(&mut Plain, self.target(&call[1])).index())),
+            "facing" => return Ok(json!(self.0.facing(&mut Plain, self.target(&call[1])).value() as usize)),
             "frame" => self.0.set_frame(&mut Plain, self.target(&call[1])),
             "face" => {
                 let spec = self.spec(call[2].as_str().expect("how"), &call[3]);
                 let Target::Object(id) = self.target(&call[1]) else { unreachable!("scripts turn objects") };
-                self.0.set_facing(&mut Plain, id, &spec, Origins::NOWHERE)?;
+                self.0.set_facing(&mut Plain, id, &spec, psdl::trace::Handle::NONE, Origins::NOWHERE)?;
             }
             other => unreachable!("{other}"),
         }

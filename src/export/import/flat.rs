@@ -132,7 +132,7 @@ impl Flat {
                 Facing::Direction => FacingSpec::Number(Scalar::int(item.turn.index() as i64)),
                 Facing::Toward(target) => FacingSpec::Toward(target),
             };
-            world.set_facing(&mut Plain, id, &facing, nowhere)?;
+            world.set_facing(&mut Plain, id, &facing, crate::trace::Handle::NONE, nowhere)?;
         }
         Ok(world.into_layout(&mut Plain))
     }

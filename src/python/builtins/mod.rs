@@ -11,10 +11,12 @@ use super::classes::Builtin;
 use super::error::R;
 use super::iter::IterState;
 use super::native::{ANY, Args, Native};
+use super::numbers;
 use super::symbols::sym;
 use super::types::list;
 use super::value::{BinaryOp, CompareOp, Value};
 use super::vm::Vm;
+use crate::trace::{Op as TraceOp, apply};
 
 /// All builtin functions.
 pub static FUNCTIONS: &[Native] = &[
@@ -179,6 +181,12 @@ fn extreme(vm: &mut Vm<'_>, args: Args<'_>, name: &str, beats: CompareOp) -> R<V
     };
     let mut best: Option<(Value, Value)> = None;
     vm.for_each(iterable, |vm, item| {
+        if let (None, Some((old, _))) = (key, best)
+            && let Some(better) = traced_extreme(vm, beats, old, item)
+        {
+            best = Some((better, better));
+            return Ok(true);
+        }
         let rank = match key {
             Some(function) => vm.call(function, &[item])?,
             None => item,
@@ -198,6 +206,26 @@ fn extreme(vm: &mut Vm<'_>, args: Args<'_>, name: &str, beats: CompareOp) -> R<V
     match best.map(|b| b.0).or(default) {
         Some(value) => Ok(value),
         None => Err(vm.value_error(format!("{name}() arg is an empty sequence"))),
+    }
+}
+
+/// The greater or smaller of two numbers of one type as an operation of the record, where one of them is traced.
+fn traced_extreme(vm: &mut Vm<'_>, beats: CompareOp, old: Value, item: Value) -> Option<Value> {
+    if old.handle().is_none() && item.handle().is_none() {
+        return None;
+    }
+    let op = if beats == CompareOp::Gt { TraceOp::Max } else { TraceOp::Min };
+    match (old, item) {
+        (Value::Float(a, h), Value::Float(b, k)) => {
+            let value = apply(op, a, b);
+            Some(Value::Float(value, vm.trace.binary(op, numbers::num(a, h), numbers::num(b, k), value)))
+        }
+        (Value::Int(a, h), Value::Int(b, k)) if a.unsigned_abs().max(b.unsigned_abs()) < 1 << 53 => {
+            let (x, y) = (numbers::num(a as f64, h), numbers::num(b as f64, k));
+            let value = apply(op, x.value, y.value);
+            Some(Value::Int(value as i64, vm.trace.binary(op, x, y, value)))
+        }
+        _ => None,
     }
 }
 

@@ -73,8 +73,8 @@ operators! {
     "ior", 2, inplace!(Or);
     "ipow", 2, inplace!(Pow);
     "irshift", 2, inplace!(RShift);
-    "is_", 2, |_, args| Ok(Value::Bool(args.at(0).is(args.at(1))));
-    "is_not", 2, |_, args| Ok(Value::Bool(!args.at(0).is(args.at(1))));
+    "is_", 2, |vm, args| Ok(Value::Bool(vm.pin(args.at(0)).is(vm.pin(args.at(1)))));
+    "is_not", 2, |vm, args| Ok(Value::Bool(!vm.pin(args.at(0)).is(vm.pin(args.at(1)))));
     "isub", 2, inplace!(Sub);
     "itruediv", 2, inplace!(Div);
     "ixor", 2, inplace!(Xor);

@@ -23,7 +23,7 @@ pub(super) fn binary(vm: &mut Vm<'_>, op: BinaryOp, a: Num, b: Num) -> R<Option<
         BinaryOp::Sub => (TraceOp::Sub, x - y),
         BinaryOp::Mul => (TraceOp::Mul, x * y),
         BinaryOp::Div | BinaryOp::FloorDiv | BinaryOp::Mod => {
-            vm.trace.order(b, Num::plain(0.0));
+            vm.trace.zero(b);
             if y == 0.0 {
                 return Err(zero_division(
                     vm,

@@ -21,7 +21,7 @@ pub(super) fn binary(vm: &mut Vm<'_>, op: BinaryOp, a: Small, b: Small) -> R<Opt
         BinaryOp::Sub => (TraceOp::Sub, x.checked_sub(y)),
         BinaryOp::Mul => (TraceOp::Mul, x.checked_mul(y)),
         BinaryOp::FloorDiv | BinaryOp::Mod => {
-            vm.trace.order(float_of(b), Num::plain(0.0));
+            vm.trace.zero(float_of(b));
             if y == 0 {
                 let message = if op == BinaryOp::Mod { "integer modulo by zero" } else { "integer division or modulo by zero" };
                 return Err(zero_division(vm, message));
@@ -43,7 +43,7 @@ pub(super) fn binary(vm: &mut Vm<'_>, op: BinaryOp, a: Small, b: Small) -> R<Opt
 }
 
 fn divide(vm: &mut Vm<'_>, a: Small, b: Small) -> R<Value> {
-    vm.trace.order(float_of(b), Num::plain(0.0));
+    vm.trace.zero(float_of(b));
     if b.0 == 0 {
         return Err(zero_division(vm, "division by zero"));
     }

@@ -181,11 +181,11 @@ pub fn divmod(vm: &mut Vm<'_>, a: Value, b: Value) -> R<Option<Value>> {
 pub fn truth(vm: &mut Vm<'_>, a: Value) -> Option<bool> {
     Some(match Number::of(vm, a)? {
         Number::Int(v, h) => {
-            vm.trace.order(num(v as f64, h), Num::plain(0.0));
+            vm.trace.zero(num(v as f64, h));
             v != 0
         }
         Number::Float(v, h) => {
-            vm.trace.order(num(v, h), Num::plain(0.0));
+            vm.trace.zero(num(v, h));
             v != 0.0
         }
         Number::Big(_) => true,

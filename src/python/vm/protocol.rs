@@ -3,13 +3,14 @@
 use super::call::Few;
 use super::{HostCx, Vm};
 use crate::python::classes::Builtin;
+use crate::python::code::DirectionId;
 use crate::python::error::{R, Raise};
 use crate::python::heap::*;
 use crate::python::host::Host;
 use crate::python::symbols::sym;
 use crate::python::text;
-use crate::python::value::{Symbol, Value};
-use crate::trace::{Num, Op as TraceOp};
+use crate::python::value::{HostObject, Symbol, Value};
+use crate::trace::{AS_WRITTEN, Num, Op as TraceOp};
 use smallvec::SmallVec;
 
 impl Vm<'_> {
@@ -512,8 +513,23 @@ impl Vm<'_> {
         Some(self.heap[self.frame.module].name)
     }
 
-    /// What a run may replace a facing with.
-    pub(super) fn direction_override(&self, id: crate::python::code::DirectionId) -> Option<u8> {
-        self.directions.get(&id).copied()
+    /// What stands at a direction of the program: its value, or the turn that a run puts in its place. Where directions are recorded,
+    /// it remembers that another turn could stand there.
+    pub(super) fn direction(&mut self, id: DirectionId, value: Value) -> Value {
+        if let Some(turn) = self.directions.get(&id).copied() {
+            return Value::Int(i64::from(turn), self.trace.site(id.0, f64::from(turn)));
+        }
+        if !self.trace.has_turns() {
+            return value;
+        }
+        match value {
+            Value::Int(turn, handle) if turn.abs() < 1000 => {
+                let site = Num { value: AS_WRITTEN, handle: self.trace.site(id.0, AS_WRITTEN) };
+                let number = turn as f64;
+                Value::Int(turn, self.trace.binary(TraceOp::Override, site, Num { value: number, handle }, number))
+            }
+            Value::Host(object) => Value::Host(HostObject { site: self.trace.site(id.0, AS_WRITTEN), ..object }),
+            other => other,
+        }
     }
 }

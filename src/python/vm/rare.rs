@@ -228,9 +228,9 @@ impl Vm<'_> {
                 self.stack.push(rest);
             }
             Op::Direction(id) => {
-                if let Some(turn) = self.direction_override(id) {
-                    self.set_top(Value::int(i64::from(turn)));
-                }
+                let top = self.pop();
+                let value = self.direction(id, top);
+                self.stack.push(value);
             }
             other => debug_assert!(false, "{other:?} belongs to the main loop"),
         }

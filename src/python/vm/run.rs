@@ -378,7 +378,7 @@ impl Vm<'_> {
                         let same = match (a, b) {
                             (Value::Instance(a), Value::Instance(b)) => a == b,
                             (a, Value::None) => a.is_none(),
-                            (a, b) => a.is(b),
+                            (a, b) => self.pin(a).is(self.pin(b)),
                         };
                         self.stack.push(Value::Bool(same != negated));
                     }

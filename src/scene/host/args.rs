@@ -11,6 +11,7 @@ use crate::scene::world::NewObject;
 use super::convert::{color, number, text, truth, type_name};
 use super::names::Function;
 use super::{SceneHost, Thing, raise, vector};
+use crate::trace::{Arith as _, Num, Op};
 
 /// The parameters of a function: their names, and how many must be given.
 fn parameters(function: Function) -> (&'static [&'static str], usize) {
@@ -155,8 +156,14 @@ fn opposite(cx: &mut HostCx<'_>, value: Value) -> R<Value> {
             return Err(cx.error(Builtin::TypeError, message));
         }
     };
-    if let Given::Number(number) = number(cx, value)? {
+    let opposite = (turns.rem_euclid(4) + 2) % 4;
+    let Given::Number(number) = number(cx, value)? else { return Ok(Value::int(opposite)) };
+    if turns.unsigned_abs() >= 1 << 50 {
         cx.trace.pin(number.num);
     }
-    Ok(Value::int((turns.rem_euclid(4) + 2) % 4))
+    let magnitude = cx.trace.unary(Op::Abs, number.num, number.num.value.abs());
+    cx.trace.order(Num { value: number.num.value.abs(), handle: magnitude }, Num::plain(1e15));
+    let turned = cx.trace.compute(Op::Add, number.num, Num::plain(2.0));
+    let handle = cx.trace.compute(Op::Mod, turned, Num::plain(4.0)).handle;
+    Ok(Value::Int(opposite, handle))
 }

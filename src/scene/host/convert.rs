@@ -116,7 +116,7 @@ pub(super) fn truth(cx: &mut HostCx<'_>, value: Value) -> bool {
         Value::None => false,
         Value::Bool(truth) => truth,
         Value::Int(..) | Value::Float(..) => scalar(value).is_some_and(|scalar| {
-            cx.trace.order(scalar.num, Num::plain(0.0));
+            cx.trace.zero(scalar.num);
             scalar.value() != 0.0
         }),
         Value::Str(text) => !cx.heap[text].text.is_empty(),

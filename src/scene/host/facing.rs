@@ -6,6 +6,7 @@ use crate::python::value::Value;
 use crate::python::vm::HostCx;
 use crate::scene::terms::{Anchor, Axis, Given, ObjectId, Target};
 use crate::scene::world::FacingSpec;
+use crate::trace::{AS_WRITTEN, Handle, Num};
 
 use super::convert::{number, scalar, type_name};
 use super::{SceneHost, Thing, raise};
@@ -14,7 +15,15 @@ impl SceneHost {
     pub(super) fn face(&mut self, cx: &mut HostCx<'_>, id: ObjectId, value: Value) -> R<()> {
         let spec = self.facing_spec(cx, id, value)?;
         let origin = self.origin(cx);
-        self.world.set_facing(cx.trace, id, &spec, origin).map_err(|error| raise(cx, error))
+        let site = match value {
+            Value::Host(object) => object.site,
+            _ => Handle::NONE,
+        };
+        if let FacingSpec::Point(_) = spec {
+            // What was read for the point settled its object.
+            cx.trace.pin(Num { value: AS_WRITTEN, handle: site });
+        }
+        self.world.set_facing(cx.trace, id, &spec, site, origin).map_err(|error| raise(cx, error))
     }
 
     fn facing_spec(&mut self, cx: &mut HostCx<'_>, id: ObjectId, value: Value) -> R<FacingSpec> {

@@ -12,7 +12,7 @@ mod run;
 mod vector;
 
 pub use paths::{bound_in_loops, name_after_globals};
-pub use run::{Run, run};
+pub use run::{Run, run, run_unnamed};
 
 use std::sync::Arc;
 
@@ -26,7 +26,7 @@ use crate::python::host::{Host, HostName};
 use crate::python::native::Args;
 use crate::python::value::{BinaryOp, HostObject, UnaryOp, Value};
 use crate::python::vm::{HostCx, PathStep};
-use crate::trace::Arith;
+use crate::trace::{Arith, Handle};
 
 use super::error::SceneError;
 use super::frame::Frame;
@@ -62,7 +62,7 @@ const VECTOR: u16 = 0;
 
 impl Thing {
     fn of(value: Value) -> Option<Thing> {
-        let Value::Host(HostObject { kind, part, id }) = value else { return None };
+        let Value::Host(HostObject { kind, part, id, .. }) = value else { return None };
         let anchor = || Anchor::ALL.get(usize::from(part)).copied();
         Some(match kind {
             SCENE => Thing::Target(Target::Scene),
@@ -74,7 +74,7 @@ impl Thing {
     }
 
     fn value(self) -> Value {
-        let host = |kind, part, id| Value::Host(HostObject { kind, part, id });
+        let host = |kind, part, id| Value::Host(HostObject { kind, part, id, site: Handle::NONE });
         match self {
             Thing::Target(Target::Scene) => host(SCENE, 0, 0),
             Thing::Target(Target::Object(id)) => host(OBJECT, 0, id.0),
@@ -202,7 +202,7 @@ impl SceneHost {
             "width" => width,
             "depth" => depth,
             "height" => height,
-            "facing" => Value::int(self.world.facing(cx.trace, target).index() as i64),
+            "facing" => scalar_value(self.world.facing(cx.trace, target)),
             "name" => cx.heap.str(self.world.name(target)),
             "support" => Value::int(self.world.support(target) as i64),
             _ => {

@@ -44,6 +44,17 @@ pub fn run(
     Run { layout, outcome, trace, unbound }
 }
 
+/// The same for a search: where everything is, without the names that the program has for it.
+pub fn run_unnamed(program: Arc<Program>, mut host: SceneHost, options: Options<'_>) -> Run {
+    let mut output = |_: &str| {};
+    let mut vm = Vm::new(&mut host, &mut output, options);
+    let outcome = vm.run_program(program);
+    let mut trace = std::mem::take(&mut vm.trace);
+    drop(vm);
+    let layout = host.world.into_layout(&mut trace);
+    Run { layout, outcome, trace, unbound: Vec::new() }
+}
+
 fn unbound(program: &Program, vm: &mut Vm<'_>) -> Vec<String> {
     let bound: FxHashSet<String> = vm.globals().into_iter().map(|(name, _)| name.to_owned()).collect();
     let unbound = program.globals.iter().filter(|name| !bound.contains(&***name));

@@ -35,7 +35,7 @@ fn combine(cx: &mut HostCx<'_>, op: BinaryOp, a: Value, b: Value) -> R<Option<Va
         BinaryOp::Sub => (Op::Sub, a.value - b.value, ints.and_then(|(i, j)| i.checked_sub(j))),
         BinaryOp::Mul => (Op::Mul, a.value * b.value, ints.and_then(|(i, j)| i.checked_mul(j))),
         BinaryOp::Div => {
-            cx.trace.order(b, Num::plain(0.0));
+            cx.trace.zero(b);
             if b.value == 0.0 {
                 let message = if ints.is_some() { "division by zero" } else { "float division by zero" };
                 return Err(cx.error(Builtin::ZeroDivisionError, message));
