@@ -12,6 +12,8 @@ mod edits;
 mod flows;
 #[path = "server/hostile.rs"]
 mod hostile;
+#[path = "server/moving.rs"]
+mod moving;
 #[path = "server/pull.rs"]
 mod pull;
 #[path = "server/reading.rs"]
@@ -24,3 +26,5 @@ mod soak;
 mod stale;
 #[path = "server/workspace.rs"]
 mod workspace;
+#[path = "server/writing.rs"]
+mod writing;

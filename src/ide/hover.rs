@@ -370,7 +370,7 @@ fn several(scene: &Scene, objects: &[usize], title: &str) -> String {
     let mut out =
         format!("**{}** · {counts}\n\n| | center | faces | errors |\n| --- | --- | --- | ---: |\n", words::code(&first_line(title)));
     for (index, placed) in objects.iter().filter_map(|index| Some((*index, scene.object(*index)?))).take(MAX_OBJECTS) {
-        let errors = scene.errors_of(index).count();
+        let errors = scene.errors_among(&[index]);
         let center = words::vector(placed.body.center);
         let path = words::code(&placed.path).replace('|', "\\|");
         out.push_str(&format!("| {path} | {center} | {} | {errors} |\n", placed.body.turn.name().replace('_', "\\_")));

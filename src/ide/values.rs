@@ -3,13 +3,14 @@
 //! A global is asked for by the paths of the objects; other names by what they are bound to; and a statement that places
 //! something by what it did. What cannot be told apart is told together: in a loop, all that the line made.
 
-use super::find::{self, for_each_node, occurrence_at, occurrences_of, variable_of};
+use super::find::{for_each_node, occurrences_of, variable_of};
 use super::program::{Deed, Mark, View};
 use crate::scene::Anchor;
 use crate::syntax::ScopeId;
 use crate::syntax::ast::{self, AnyNodeRef, Expr, Ranged as _};
-use crate::syntax::scope::{Occurrence, Variable};
+use crate::syntax::scope::{Occurrence, Role, Variable};
 use ruff_text_size::TextRange;
+use rustc_hash::FxHashMap;
 
 /// How far names are followed.
 const MAX_DEPTH: usize = 16;
@@ -25,29 +26,42 @@ enum Source<'a> {
     Argument { function: TextRange, index: usize },
 }
 
-/// A name that is bound.
-#[derive(Clone, Copy, Debug)]
-struct Binding<'a> {
-    name: TextRange,
-    source: Source<'a>,
-}
-
 /// What is known about the values of a program.
 #[derive(Debug)]
 pub(super) struct Values<'a> {
     view: View<'a>,
     /// See [`View::marks`].
     pub(super) marks: Vec<Mark>,
-    bindings: Vec<Binding<'a>>,
+    /// What names are bound to, by where they stand.
+    bindings: FxHashMap<TextRange, Source<'a>>,
     calls: Vec<&'a ast::ExprCall>,
+    /// Where the names of functions stand, each with the place of its `def` among the functions.
+    called: FxHashMap<TextRange, usize>,
+    occurrences: FxHashMap<TextRange, &'a Occurrence>,
     /// Each `def` of the program.
     pub(super) functions: Vec<&'a ast::StmtFunctionDef>,
 }
 
 impl<'a> Values<'a> {
     pub(super) fn new(view: View<'a>) -> Values<'a> {
-        let mut values = Values { view, marks: view.marks(), bindings: Vec::new(), calls: Vec::new(), functions: Vec::new() };
+        let occurrences = view.program.parsed.scopes.occurrences().iter().map(|found| (found.range, found)).collect();
+        let mut values = Values {
+            view,
+            marks: view.marks(),
+            bindings: FxHashMap::default(),
+            calls: Vec::new(),
+            called: FxHashMap::default(),
+            occurrences,
+            functions: Vec::new(),
+        };
         for_each_node(&view, &mut |node| values.note(node));
+        for (index, def) in values.functions.iter().enumerate() {
+            let variable = values.occurrences.get(&def.name.range).and_then(|found| variable_of(&view, found));
+            let named = variable.map(|variable| occurrences_of(&view, variable)).unwrap_or_default();
+            if named.iter().filter(|found| found.role == Role::Bind).count() == 1 {
+                values.called.extend(named.iter().map(|found| (found.range, index)));
+            }
+        }
         values
     }
 
@@ -65,7 +79,7 @@ impl<'a> Values<'a> {
             AnyNodeRef::StmtFunctionDef(def) => {
                 for (index, parameter) in def.parameters.iter_non_variadic_params().enumerate() {
                     let source = Source::Argument { function: def.name.range, index };
-                    self.bindings.push(Binding { name: parameter.parameter.name.range, source });
+                    self.bindings.insert(parameter.parameter.name.range, source);
                 }
                 self.functions.push(def);
             }
@@ -77,7 +91,10 @@ impl<'a> Values<'a> {
     /// Notes the names of a target, each with its part of the value where that can be told.
     fn unpack(&mut self, target: &'a Expr, source: Source<'a>) {
         let parts = match target {
-            Expr::Name(name) => return self.bindings.push(Binding { name: name.range, source }),
+            Expr::Name(name) => {
+                self.bindings.insert(name.range, source);
+                return;
+            }
             Expr::Starred(starred) => return self.unpack(&starred.value, source),
             Expr::Tuple(tuple) => &tuple.elts[..],
             Expr::List(list) => &list.elts[..],
@@ -168,9 +185,7 @@ impl<'a> Values<'a> {
 
     /// The objects that the calls of a function did something to, and how many calls there are.
     pub(super) fn done_in(&self, function: &ast::StmtFunctionDef) -> (Vec<usize>, usize) {
-        let called = |call: &&&ast::ExprCall| {
-            find::callee(&self.view, call, &self.functions).is_some_and(|def| def.name.range == function.name.range)
-        };
+        let called = |call: &&&ast::ExprCall| self.callee(call).is_some_and(|def| def.name.range == function.name.range);
         let calls: Vec<_> = self.calls.iter().filter(called).collect();
         let mut objects: Vec<usize> = calls.iter().flat_map(|call| self.done_by(call.range(), |deed| deed == Deed::Around)).collect();
         objects.sort_unstable();
@@ -203,11 +218,10 @@ impl<'a> Values<'a> {
             found.extend(self.at_path(self.view.program.parsed.scopes.name(variable.name)));
         }
         for occurrence in occurrences_of(&self.view, variable) {
-            for binding in self.bindings.iter().filter(|binding| binding.name == occurrence.range) {
-                match binding.source {
-                    Source::Value(value) | Source::Items(value) => self.collect(value, seen, found),
-                    Source::Argument { function, index } => self.collect_arguments(function, index, binding.name, seen, found),
-                }
+            match self.bindings.get(&occurrence.range) {
+                Some(Source::Value(value) | Source::Items(value)) => self.collect(value, seen, found),
+                Some(Source::Argument { function, index }) => self.collect_arguments(*function, *index, occurrence.range, seen, found),
+                None => {}
             }
         }
         seen.pop();
@@ -216,8 +230,7 @@ impl<'a> Values<'a> {
     /// What a function is called with.
     fn collect_arguments(&self, function: TextRange, index: usize, name: TextRange, seen: &mut Vec<Variable>, found: &mut Vec<usize>) {
         for call in &self.calls {
-            let called = find::callee(&self.view, call, &self.functions);
-            if called.is_none_or(|def| def.name.range != function) {
+            if self.callee(call).is_none_or(|def| def.name.range != function) {
                 continue;
             }
             let keyword = call
@@ -262,7 +275,12 @@ impl<'a> Values<'a> {
     }
 
     fn occurrence(&self, range: TextRange) -> Option<&'a Occurrence> {
-        occurrence_at(&self.view, range.start()).filter(|found| found.range == range)
+        self.occurrences.get(&range).copied()
+    }
+
+    /// The function that a call calls by its name, where the name means only that function.
+    pub(super) fn callee(&self, call: &ast::ExprCall) -> Option<&'a ast::StmtFunctionDef> {
+        self.called.get(&call.func.range()).map(|index| self.functions[*index])
     }
 }
 

@@ -14,11 +14,6 @@ pub(super) fn number(value: f64) -> String {
     if text == "-0" { "0".into() } else { text.replace('-', "−") }
 }
 
-/// The same as Python would read it.
-pub(super) fn plain_number(value: f64) -> String {
-    number(value).replace('−', "-")
-}
-
 pub(super) fn vector(values: [f64; 3]) -> String {
     format!("({})", values.map(number).join(", "))
 }
@@ -55,6 +50,12 @@ pub(super) fn escaped(text: &str) -> String {
 pub(super) fn code(text: &str) -> String {
     let line: String = text.chars().take(200).map(|ch| if ch.is_control() { ' ' } else { ch }).collect();
     if line.contains('`') { format!("`` {line} ``") } else { format!("`{line}`") }
+}
+
+/// Text of the user on one line, cut where it is long.
+pub(super) fn plain_line(text: &str) -> String {
+    let line: String = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    if line.chars().count() > 80 { line.chars().take(79).chain(['…']).collect() } else { line }
 }
 
 pub(super) fn kind(object: &Placed) -> &'static str {

@@ -4,6 +4,11 @@ use super::actions::action_kinds;
 use super::requests::COMMANDS;
 use crate::syntax::Encoding;
 use tower_lsp_server::ls_types::{
+    CallHierarchyServerCapability, CodeLensOptions, ColorProviderCapability, CompletionOptions, DocumentLinkOptions,
+    FoldingRangeProviderCapability, MarkupKind, RenameOptions, SelectionRangeProviderCapability, SemanticTokensFullOptions,
+    SemanticTokensOptions, SignatureHelpOptions, WorkDoneProgressOptions,
+};
+use tower_lsp_server::ls_types::{
     CodeActionKind, CodeActionOptions, CodeActionProviderCapability, DiagnosticOptions, DiagnosticServerCapabilities, DiagnosticTag,
     HoverProviderCapability, InitializeParams, OneOf, PositionEncodingKind, SaveOptions, ServerCapabilities, TextDocumentSyncCapability,
     TextDocumentSyncKind, TextDocumentSyncOptions, TextDocumentSyncSaveOptions, WorkspaceFoldersServerCapabilities,
@@ -38,6 +43,12 @@ pub(super) struct Client {
     pub makes_files: bool,
     /// It shows the progress of work that the server began.
     pub progress: bool,
+    /// It takes snippets, with places to fill in.
+    pub snippets: bool,
+    /// It shows Markdown at a hover.
+    pub hover_markdown: bool,
+    /// It names its reader of Markdown, as those do that show pictures.
+    pub hover_pictures: bool,
     /// It watches files when it is asked to.
     pub watches: bool,
     /// It is asked for the user's settings.
@@ -67,6 +78,9 @@ impl Default for Client {
             annotates: false,
             makes_files: false,
             progress: false,
+            snippets: false,
+            hover_markdown: false,
+            hover_pictures: false,
             watches: false,
             has_settings: false,
             watches_settings: false,
@@ -104,6 +118,13 @@ impl Client {
                 |kinds| [ResourceOperationKind::Create, ResourceOperationKind::Delete].iter().all(|kind| kinds.contains(kind)),
             ),
             progress: params.capabilities.window.as_ref().and_then(|window| window.work_done_progress).unwrap_or(false),
+            snippets: document
+                .and_then(|document| document.completion.as_ref()?.completion_item.as_ref()?.snippet_support)
+                .unwrap_or(false),
+            hover_markdown: document
+                .and_then(|document| document.hover.as_ref()?.content_format.as_ref())
+                .is_some_and(|formats| formats.contains(&MarkupKind::Markdown)),
+            hover_pictures: params.capabilities.general.as_ref().is_some_and(|general| general.markdown.is_some()),
             watches: workspace.and_then(|workspace| workspace.did_change_watched_files.as_ref()?.dynamic_registration).unwrap_or(false),
             has_settings: workspace.and_then(|workspace| workspace.configuration).unwrap_or(false),
             watches_settings: workspace
@@ -139,7 +160,6 @@ impl Client {
                 ..TextDocumentSyncOptions::default()
             })),
             diagnostic_provider: self.pulls.then_some(DiagnosticServerCapabilities::Options(diagnostics)),
-            hover_provider: Some(HoverProviderCapability::Simple(true)),
             code_action_provider: Some(CodeActionProviderCapability::Options(actions)),
             execute_command_provider: Some(commands),
             experimental: Some(serde_json::json!({ "psdl": { "version": 1 } })),
@@ -150,8 +170,51 @@ impl Client {
                 }),
                 ..WorkspaceServerCapabilities::default()
             }),
-            ..ServerCapabilities::default()
+            ..reading_and_writing()
         }
+    }
+}
+
+/// What is offered to every client.
+fn reading_and_writing() -> ServerCapabilities {
+    let words = |words: &[&str]| Some(words.iter().map(ToString::to_string).collect());
+    let completion = CompletionOptions { resolve_provider: Some(true), trigger_characters: words(&["."]), ..CompletionOptions::default() };
+    let signature = SignatureHelpOptions {
+        trigger_characters: words(&["(", ","]),
+        retrigger_characters: words(&["="]),
+        ..SignatureHelpOptions::default()
+    };
+    let tokens = SemanticTokensOptions {
+        legend: super::reading::legend(),
+        range: Some(true),
+        full: Some(SemanticTokensFullOptions::Delta { delta: Some(true) }),
+        ..SemanticTokensOptions::default()
+    };
+    ServerCapabilities {
+        hover_provider: Some(HoverProviderCapability::Simple(true)),
+        inlay_hint_provider: Some(OneOf::Left(true)),
+        code_lens_provider: Some(CodeLensOptions { resolve_provider: Some(false) }),
+        semantic_tokens_provider: Some(tokens.into()),
+        definition_provider: Some(OneOf::Left(true)),
+        references_provider: Some(OneOf::Left(true)),
+        document_highlight_provider: Some(OneOf::Left(true)),
+        rename_provider: Some(OneOf::Right(RenameOptions {
+            prepare_provider: Some(true),
+            work_done_progress_options: WorkDoneProgressOptions::default(),
+        })),
+        document_symbol_provider: Some(OneOf::Left(true)),
+        workspace_symbol_provider: Some(OneOf::Left(true)),
+        folding_range_provider: Some(FoldingRangeProviderCapability::Simple(true)),
+        selection_range_provider: Some(SelectionRangeProviderCapability::Simple(true)),
+        call_hierarchy_provider: Some(CallHierarchyServerCapability::Simple(true)),
+        document_link_provider: Some(DocumentLinkOptions {
+            resolve_provider: Some(false),
+            work_done_progress_options: WorkDoneProgressOptions::default(),
+        }),
+        color_provider: Some(ColorProviderCapability::Simple(true)),
+        completion_provider: Some(completion),
+        signature_help_provider: Some(signature),
+        ..ServerCapabilities::default()
     }
 }
 

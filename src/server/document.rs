@@ -1,6 +1,7 @@
 //! A document as the client has it: a rope, its version, and what it is to us.
 
 use super::moved::TextChange;
+use super::reading::Painted;
 use crate::syntax::Encoding;
 use ropey::Rope;
 use std::path::{Path, PathBuf};
@@ -32,13 +33,15 @@ pub(super) struct Document {
     pub role: Role,
     pub version: i32,
     pub text: Rope,
+    /// The semantic tokens that the client has.
+    pub painted: Option<Painted>,
 }
 
 impl Document {
     pub(super) fn new(uri: Uri, language: &str, version: i32, text: &str) -> Document {
         let path = file_path(&uri);
         let role = role(path.as_deref(), language);
-        Document { uri, path, role, version, text: Rope::from_str(text) }
+        Document { uri, path, role, version, text: Rope::from_str(text), painted: None }
     }
 
     /// Makes a change, and says which bytes it replaced.

@@ -24,6 +24,7 @@ mod handlers;
 mod log;
 mod lookout;
 mod moved;
+mod moving;
 mod output;
 mod params;
 mod progress;
@@ -33,6 +34,7 @@ mod run;
 mod scenes;
 mod settings;
 mod shared;
+mod sidecar;
 mod state;
 mod study;
 mod think;
@@ -40,6 +42,7 @@ mod transport;
 mod view;
 mod watch;
 mod workspace;
+mod writing;
 
 pub use log::LogLevel;
 

@@ -13,7 +13,10 @@ use ruff_text_size::{TextRange, TextSize};
 use std::sync::Arc;
 use std::time::Duration;
 use tower_lsp_server::jsonrpc::{Error, Result};
-use tower_lsp_server::ls_types::{Location, Position, Range, Uri};
+use tower_lsp_server::ls_types::{
+    DocumentChanges, Location, OneOf, OptionalVersionedTextDocumentIdentifier, Position, Range, TextDocumentEdit, TextEdit, Uri,
+    WorkspaceEdit,
+};
 
 /// How long an answer waits for a run that is under way, before it tells of the scene before.
 const PATIENCE: Duration = Duration::from_millis(100);
@@ -33,12 +36,12 @@ pub(super) enum Wait {
 #[derive(Clone, Debug)]
 pub(super) struct Snapshot {
     pub uri: Uri,
-    pub version: i32,
+    /// `None` where it is not open.
+    pub version: Option<i32>,
     pub key: Key,
     pub lines: Arc<LineIndex>,
     pub program: Arc<Program>,
     pub scene: Option<Arc<Scene>>,
-    pub outcome: Option<Arc<Outcome>>,
     pub client: Client,
     pub settings: Settings,
 }
@@ -75,6 +78,19 @@ impl Snapshot {
 
     pub(super) fn location(&self, range: TextRange) -> Location {
         Location { uri: self.uri.clone(), range: self.range(range) }
+    }
+
+    /// Edits of files, for the versions that they were made for where the client can tell.
+    pub(super) fn edit(&self, files: Vec<(Uri, Option<i32>, Vec<TextEdit>)>) -> WorkspaceEdit {
+        if !self.client.document_changes {
+            let changes = files.into_iter().map(|(uri, _, edits)| (uri, edits)).collect();
+            return WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() };
+        }
+        let files = files.into_iter().map(|(uri, version, edits)| TextDocumentEdit {
+            text_document: OptionalVersionedTextDocumentIdentifier { uri, version },
+            edits: edits.into_iter().map(OneOf::Left).collect(),
+        });
+        WorkspaceEdit { document_changes: Some(DocumentChanges::Edits(files.collect())), ..WorkspaceEdit::default() }
     }
 }
 
@@ -128,7 +144,7 @@ impl Backend {
             let lines = LineIndex::new(&program.text);
             (Arc::new(program), Arc::new(lines))
         });
-        Snapshot { uri: asked.uri, version: asked.version, key: asked.key, lines, program, scene, outcome, client, settings }
+        Snapshot { uri: asked.uri, version: Some(asked.version), key: asked.key, lines, program, scene, client, settings }
     }
 
     /// The programs that are open, as they stand now.

@@ -28,7 +28,7 @@ pub fn capabilities(encoding: &str) -> Value {
         "textDocument": {"publishDiagnostics": {
             "relatedInformation": true, "versionSupport": true, "codeDescriptionSupport": true, "dataSupport": true,
             "tagSupport": {"valueSet": [1, 2]},
-        }},
+        }, "hover": {"contentFormat": ["markdown", "plaintext"]}, "completion": {"completionItem": {"snippetSupport": true}}},
         "workspace": {"workspaceEdit": {"documentChanges": true}},
     })
 }

@@ -57,11 +57,111 @@ fn a_hover_tells_of_the_object() {
 }
 
 #[test]
+fn a_hover_has_a_picture_where_it_can_be_shown() {
+    for (markdown, shown) in [(json!({"parser": "marked"}), true), (Value::Null, false)] {
+        let mut capabilities = capabilities("utf-16");
+        capabilities["general"]["markdown"] = markdown;
+        let mut client = Client::start(capabilities);
+        client.open("untitled:room", 1, ROOM);
+        client.diagnostics("untitled:room", 1);
+        let answer = client.request("textDocument/hover", at("untitled:room", ROOM, "\nbed"));
+        let text = answer["result"]["contents"]["value"].as_str().unwrap();
+        assert_eq!(text.contains("data:image/png;base64,iVBOR"), shown, "{text}");
+        client.notify("workspace/didChangeConfiguration", json!({"settings": {"hover": {"picture": false}}}));
+        let answer = client.request("textDocument/hover", at("untitled:room", ROOM, "\nbed"));
+        assert!(!answer["result"]["contents"]["value"].as_str().unwrap().contains("data:"));
+        client.finish();
+    }
+}
+
+#[test]
 fn nothing_is_told_of_what_is_not_open_or_not_there() {
     let mut client = open_room();
     let answer = client.request("textDocument/hover", at("untitled:other", ROOM, "\nbed"));
     assert_eq!(answer["error"]["code"], -32602, "{answer}");
     let far = json!({"textDocument": {"uri": "untitled:room"}, "position": {"line": 4_000_000_000_u32, "character": 7}});
     assert_eq!(client.request("textDocument/hover", far)["result"], Value::Null);
+    client.finish();
+}
+
+fn whole() -> Value {
+    json!({"start": {"line": 0, "character": 0}, "end": {"line": 99, "character": 0}})
+}
+
+#[test]
+fn hints_tell_where_things_are_unless_the_user_wants_none() {
+    let mut client = open_room();
+    let ask = |client: &mut Client| {
+        let answer = client.request("textDocument/inlayHint", json!({"textDocument": {"uri": "untitled:room"}, "range": whole()}));
+        let labels = result(&answer).as_array().unwrap().iter().map(|hint| hint["label"].as_str().unwrap().to_string());
+        labels.collect::<Vec<_>>()
+    };
+    let labels = ask(&mut client);
+    assert!(labels.contains(&"→ 0.5".into()) && labels.iter().any(|label| label.starts_with("2 objects")), "{labels:?}");
+    let settings = json!({"psdl": {"inlayHints": {"coordinates": false, "loops": false, "facings": false}}});
+    client.notify("workspace/didChangeConfiguration", json!({"settings": settings}));
+    assert_eq!(ask(&mut client), [""; 0]);
+    client.finish();
+}
+
+#[test]
+fn settings_come_with_the_start_and_are_asked_for() {
+    let mut capabilities = capabilities("utf-16");
+    capabilities["workspace"]["configuration"] = json!(true);
+    capabilities["workspace"]["codeLens"] = json!({"refreshSupport": true});
+    let mut client = Client::spawn(&[]);
+    client.request("initialize", json!({"capabilities": capabilities, "initializationOptions": {"codeLens": false}}));
+    client.open("untitled:room", 1, ROOM);
+    let lenses = |client: &mut Client| {
+        let answer = client.request("textDocument/codeLens", json!({"textDocument": {"uri": "untitled:room"}}));
+        result(&answer).as_array().unwrap().len()
+    };
+    assert_eq!(lenses(&mut client), 0);
+    client.notify("initialized", json!({}));
+    let asked = client.wait("a question for settings", |message| message["method"] == "workspace/configuration");
+    assert_eq!(asked["params"]["items"], json!([{"section": "psdl"}]));
+    client.finish();
+}
+
+#[test]
+fn lenses_count_and_correct() {
+    let mut client = open_room();
+    let answer = client.request("textDocument/codeLens", json!({"textDocument": {"uri": "untitled:room"}}));
+    let commands: Vec<_> = result(&answer).as_array().unwrap().iter().map(|lens| lens["command"].clone()).collect();
+    assert!(commands[0]["title"].as_str().unwrap().starts_with("3 objects · "), "{commands:?}");
+    assert!(commands.iter().any(|command| command["command"] == "psdl.server.fixAll" && command["arguments"] == json!(["untitled:room"])));
+    assert!(commands.iter().any(|command| command["title"].as_str().unwrap().starts_with("1 call · 2 objects")), "{commands:?}");
+    client.finish();
+}
+
+/// Applies the edits of a delta to the numbers of before.
+fn patched(mut data: Vec<Value>, edits: &Value) -> Vec<Value> {
+    for edit in edits.as_array().unwrap().iter().rev() {
+        let (start, count) = (edit["start"].as_u64().unwrap() as usize, edit["deleteCount"].as_u64().unwrap() as usize);
+        data.splice(start..start + count, edit["data"].as_array().cloned().unwrap_or_default());
+    }
+    data
+}
+
+#[test]
+fn words_are_coloured_and_then_only_what_changed() {
+    let mut client = open_room();
+    let document = json!({"uri": "untitled:room"});
+    let answer = client.request("textDocument/semanticTokens/full", json!({"textDocument": document}));
+    let full = result(&answer).clone();
+    let data = full["data"].as_array().unwrap().clone();
+    assert!(data.len() > 100 && data.len() % 5 == 0);
+    client.change("untitled:room", 2, json!([{"text": ROOM.replace("gap=0.25", "space=0.25").replace("+ gap", "+ space")}]));
+    let params = json!({"textDocument": document, "previousResultId": full["resultId"]});
+    let answer = client.request("textDocument/semanticTokens/full/delta", params);
+    let delta = result(&answer).clone();
+    let answer = client.request("textDocument/semanticTokens/full", json!({"textDocument": document}));
+    assert_eq!(patched(data, &delta["edits"]), *result(&answer)["data"].as_array().unwrap());
+    // Of an older result nothing is known any more.
+    let params = json!({"textDocument": document, "previousResultId": full["resultId"]});
+    assert!(result(&client.request("textDocument/semanticTokens/full/delta", params))["data"].is_array());
+    let range = json!({"start": {"line": 1, "character": 0}, "end": {"line": 2, "character": 0}});
+    let answer = client.request("textDocument/semanticTokens/range", json!({"textDocument": document, "range": range}));
+    assert!(result(&answer)["data"].as_array().unwrap().len() < 100);
     client.finish();
 }
