@@ -136,6 +136,31 @@ fn same_key(heap: &Heap, a: Value, b: Value, depth: u32) -> Option<bool> {
     })
 }
 
+impl Heap {
+    /// Where a dict has this very text as a key; no other key that might equal it is asked.
+    #[inline]
+    fn position_of(&self, dict: Ref<Dict>, key: Ref<Str>) -> Option<usize> {
+        let text = &self[key];
+        if text.chars == 0 {
+            return None;
+        }
+        self[dict].0.find(text.hash() >> 1, |k| matches!(k, Value::Str(k) if same_text(self, k, key)))
+    }
+
+    /// The value under this text.
+    #[inline]
+    pub(super) fn value_of(&self, dict: Ref<Dict>, key: Ref<Str>) -> Option<&Value> {
+        self[dict].0.value_at(self.position_of(dict, key)?)
+    }
+
+    /// The same, to change.
+    #[inline]
+    pub(super) fn place_of(&mut self, dict: Ref<Dict>, key: Ref<Str>) -> Option<&mut Value> {
+        let position = self.position_of(dict, key)?;
+        self[dict].0.value_at_mut(position)
+    }
+}
+
 impl Vm<'_> {
     /// `hash(value)`. What a program sees of hashes is CPython's for numbers and tuples of numbers, and the same in every run for all else.
     pub fn hash(&mut self, value: Value) -> R<i64> {

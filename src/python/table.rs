@@ -57,6 +57,18 @@ impl Table {
         self.entries.get(position).copied().filter(|e| !e.key.is_undefined())
     }
 
+    /// The value at a position that [`find`](Table::find) gave.
+    #[inline]
+    pub fn value_at(&self, position: usize) -> Option<&Value> {
+        self.entries.get(position).map(|e| &e.value)
+    }
+
+    /// The same, to change.
+    #[inline]
+    pub fn value_at_mut(&mut self, position: usize) -> Option<&mut Value> {
+        self.entries.get_mut(position).map(|e| &mut e.value)
+    }
+
     /// The first live entry at or after a position, with its position.
     #[inline]
     pub fn next_from(&self, position: usize) -> Option<(usize, Entry)> {

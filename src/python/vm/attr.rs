@@ -15,7 +15,7 @@ pub(super) const INLINE: usize = 64;
 
 /// What classes answered lately. Cleared whenever any class changes.
 pub struct Cache {
-    entries: Vec<Entry>,
+    entries: Box<[Entry; CACHE]>,
 }
 
 #[derive(Clone, Copy)]
@@ -45,7 +45,7 @@ const NOTHING: Entry = Entry { class: u32::MAX, name: Symbol(0), found: Value::U
 
 impl Cache {
     pub(super) fn new() -> Cache {
-        Cache { entries: vec![NOTHING; CACHE] }
+        Cache { entries: Box::new([NOTHING; CACHE]) }
     }
 
     pub(super) fn clear(&mut self) {
@@ -59,7 +59,7 @@ impl Cache {
 
     #[inline(always)]
     fn get(&self, class: Ref<Class>, name: Symbol) -> Option<&Entry> {
-        self.entries.get(Cache::place(class, name)).filter(|e| e.class == class.index() && e.name == name)
+        Some(&self.entries[Cache::place(class, name)]).filter(|e| e.class == class.index() && e.name == name)
     }
 }
 

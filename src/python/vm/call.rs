@@ -258,7 +258,8 @@ impl Vm<'_> {
             handling: self.handling.len() as u32,
             generator: None,
         };
-        self.frames.push(std::mem::replace(&mut self.frame, frame));
+        self.frames.push(self.frame);
+        self.frame = frame;
         true
     }
 
@@ -299,7 +300,8 @@ impl Vm<'_> {
             handling: self.handling.len() as u32,
             generator: None,
         };
-        self.frames.push(std::mem::replace(&mut self.frame, frame));
+        self.frames.push(self.frame);
+        self.frame = frame;
         Ok(Begun::Frame)
     }
 

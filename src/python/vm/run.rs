@@ -252,6 +252,14 @@ impl Vm<'_> {
                         self.finish(top, result)?;
                     }
                     Op::StoreSubscr => {
+                        let top = self.stack.len() - 1;
+                        if let [.., value, object, index] = self.stack.as_slice()
+                            && let Some(place) = place_of(&mut self.heap, object, index)
+                        {
+                            set(place, value);
+                            self.stack.truncate(top - 2);
+                            continue;
+                        }
                         let (object, index) = self.pop2();
                         let value = self.pop();
                         self.set_item(object, index, value)?;
@@ -573,8 +581,9 @@ impl Vm<'_> {
                         let top = self.stack.len() - 1;
                         let floor = self.frame.floor as usize;
                         let ret = self.frame.ret;
-                        if let Some(below) = self.frames.pop() {
-                            self.frame = below;
+                        if let Some(below) = self.frames.last() {
+                            self.frame = *below;
+                            self.frames.pop();
                         }
                         match ret {
                             Return::Push => {
@@ -673,6 +682,7 @@ impl Vm<'_> {
         match self.stack[at] {
             Value::Bool(b) => Ok(b),
             Value::None => Ok(false),
+            Value::Int(v, h) if h.is_none() => Ok(v != 0),
             value => self.truth(value),
         }
     }
@@ -713,13 +723,17 @@ impl Vm<'_> {
     }
 }
 
-/// `object[index]` of a list or tuple, where the index lies within.
+/// `object[index]` of a list or tuple, where the index lies within, and of a dict that has this text as a key.
 #[inline(always)]
 fn item_at<'a>(heap: &'a Heap, object: &Value, index: &Value) -> Option<&'a Value> {
-    let &Value::Int(i, h) = index else { return None };
-    if h.0 != 0 {
-        return None;
-    }
+    let i = match *index {
+        Value::Int(i, h) if h.is_none() => i,
+        Value::Str(key) => {
+            let Value::Dict(dict) = *object else { return None };
+            return heap.value_of(dict, key);
+        }
+        _ => return None,
+    };
     let items = match *object {
         Value::List(list) => heap[list].0.as_slice(),
         Value::Tuple(tuple) => heap[tuple].0.as_slice(),
@@ -727,4 +741,18 @@ fn item_at<'a>(heap: &'a Heap, object: &Value, index: &Value) -> Option<&'a Valu
     };
     let at = if i < 0 { i.wrapping_add(items.len() as i64) } else { i };
     items.get(at as usize)
+}
+
+/// The place of `object[index]` in a list, where the index lies within, and in a dict that has this text as a key.
+#[inline(always)]
+fn place_of<'a>(heap: &'a mut Heap, object: &Value, index: &Value) -> Option<&'a mut Value> {
+    match (*object, *index) {
+        (Value::List(list), Value::Int(i, h)) if h.is_none() => {
+            let items = &mut heap[list].0;
+            let at = if i < 0 { i.wrapping_add(items.len() as i64) } else { i };
+            items.get_mut(at as usize)
+        }
+        (Value::Dict(dict), Value::Str(key)) => heap.place_of(dict, key),
+        _ => None,
+    }
 }

@@ -150,6 +150,11 @@ fn from_keys(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 
 fn get(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     let dict = this(vm, &args)?;
+    if let Value::Str(key) = args.at(1)
+        && let Some(value) = vm.heap.value_of(dict, key)
+    {
+        return Ok(*value);
+    }
     Ok(vm.dict_get(dict, args.at(1))?.unwrap_or(args.at(2)))
 }
 
