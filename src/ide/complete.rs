@@ -72,7 +72,10 @@ pub struct Completions {
 
 /// What can be written at a place.
 pub fn completions(view: &View, offset: TextSize) -> Completions {
-    let context = context(view.text(), offset.to_usize());
+    // What lies behind the end means the end, and the middle of a character its start.
+    let text = view.text();
+    let offset = TextSize::of(&text[..text.floor_char_boundary(offset.to_usize())]);
+    let context = context(text, offset.to_usize());
     let mut items = Vec::new();
     match context.place {
         Place::Nowhere | Place::NewName => {}
@@ -236,7 +239,8 @@ fn arguments(view: &View, call: &Call, items: &mut Vec<Completion>) {
 /// Whole placements, about the objects that are there; those that are not placed yet first.
 fn placements(view: &View, items: &mut Vec<Completion>) {
     let Some(scene) = view.scene else { return };
-    let (mut single, mut lists): (Vec<(bool, String)>, Vec<(bool, String)>) = (Vec::new(), Vec::new());
+    let mut single: Vec<(bool, String)> = Vec::new();
+    let mut lists: Vec<(bool, String)> = Vec::new();
     for object in &scene.layout.objects {
         let placed = object.body.is_placed();
         match object.path.split_once('[') {
@@ -335,10 +339,7 @@ fn receiver_objects(view: &View, receiver: &str, offset: TextSize) -> Found {
     if let Some(first) = paths.first() {
         return match first[receiver.len()..].chars().next() {
             None => Found::Object,
-            Some('[')
-                if first[receiver.len()..].starts_with(|ch: char| ch == '[')
-                    && first.as_bytes().get(receiver.len() + 1) == Some(&b'\'') =>
-            {
+            Some('[') if first[receiver.len()..].starts_with('[') && first.as_bytes().get(receiver.len() + 1) == Some(&b'\'') => {
                 Found::Dict
             }
             Some('[') => Found::List,

@@ -117,10 +117,10 @@ fn coordinates(scene: &Scene, done: &[Mark], named: (Anchor, Axis), value: Optio
     };
     let anchors: Vec<_> = done.iter().filter_map(anchor_of).collect();
     let first = anchors.first()?;
-    if let (Some(Expr::NumberLiteral(_) | Expr::UnaryOp(_)), [only]) = (value, &anchors[..]) {
-        if (only.anchor, only.axis) == named {
-            return None;
-        }
+    if let (Some(Expr::NumberLiteral(_) | Expr::UnaryOp(_)), [only]) = (value, &anchors[..])
+        && (only.anchor, only.axis) == named
+    {
+        return None;
     }
     let elsewhere = anchors.iter().any(|anchor| (anchor.anchor, anchor.axis) != named);
     let name = if elsewhere { format!("{}.{} ", first.anchor.name(), first.axis.name()) } else { String::new() };

@@ -178,10 +178,11 @@ fn name(view: &View, occurrence: &Occurrence, nodes: &[AnyNodeRef]) -> Option<Ho
     let all = occurrences_of(view, variable);
     let bindings: Vec<TextRange> = all.iter().filter(|found| found.role == Role::Bind).map(|found| found.range).collect();
     let values = Values::new(*view);
-    if bindings.is_empty() && variable.owner == ScopeId::MODULE {
-        if let Some(doc) = docs::global(text) {
-            return Some(named(view, text, doc, range));
-        }
+    if bindings.is_empty()
+        && variable.owner == ScopeId::MODULE
+        && let Some(doc) = docs::global(text)
+    {
+        return Some(named(view, text, doc, range));
     }
     let placed = placed_here(&values, text, nodes);
     if let Some(objects) = placed {

@@ -159,6 +159,6 @@ fn difference(before: &[SemanticToken], after: &[SemanticToken]) -> Vec<Semantic
 /// Markdown without its marks, for clients that show none.
 fn plain(markdown: &str) -> String {
     let lines = markdown.lines().filter(|line| !line.starts_with("```") && !line.starts_with("| ---"));
-    let text: Vec<String> = lines.map(|line| line.replace("**", "").replace('`', "").replace('\\', "")).collect();
+    let text: Vec<String> = lines.map(|line| line.replace("**", "").replace(['`', '\\'], "")).collect();
     text.join("\n")
 }

@@ -150,7 +150,7 @@ fn words_are_coloured_and_then_only_what_changed() {
     let answer = client.request("textDocument/semanticTokens/full", json!({"textDocument": document}));
     let full = result(&answer).clone();
     let data = full["data"].as_array().unwrap().clone();
-    assert!(data.len() > 100 && data.len() % 5 == 0);
+    assert!(data.len() > 100 && data.len().is_multiple_of(5));
     client.change("untitled:room", 2, json!([{"text": ROOM.replace("gap=0.25", "space=0.25").replace("+ gap", "+ space")}]));
     let params = json!({"textDocument": document, "previousResultId": full["resultId"]});
     let answer = client.request("textDocument/semanticTokens/full/delta", params);
