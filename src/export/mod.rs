@@ -4,7 +4,7 @@
 //! - Pure: the same layout gives the same bytes on every platform; nothing here reads or writes files.
 //! - Lengths are metres in every format. Each format's own axes and rotations stand in its file, and in `docs/export.md`.
 //! - Names are untrusted. Each writer escapes them for its format, or makes an identifier of them where the format asks for one.
-//! - Formats that draw show the objects of [`Pieces`]: those that were placed, with a finite box of a size that the formats can hold.
+//! - Formats that draw show the objects of `Pieces`: those that were placed, with a finite box of a size that the formats can hold.
 //!   What is left out is listed in the file.
 //! - What [`import`] gives is a program whose layout was computed before it is handed out: each box of the file is where the file has it.
 //!
