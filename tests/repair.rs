@@ -247,7 +247,7 @@ fn replays_of_generated_programs_are_runs_too() {
 #[test]
 fn fixes_of_generated_programs_never_make_them_worse() {
     let mut rng = ChaCha8Rng::seed_from_u64(12);
-    let mut clean = 0;
+    let (mut clean, mut constants, mut long) = (0, 0, 0);
     for _ in 0..40 {
         let text = generated(&mut rng);
         let problem = problem(&text);
@@ -258,9 +258,16 @@ fn fixes_of_generated_programs_never_make_them_worse() {
             assert!(again.exceptions() <= problem.exceptions(), "{}", fix.text);
             assert_eq!(again.layout().objects.len(), problem.layout().objects.len());
             clean += usize::from(fix.errors_after() == 0 && fix.errors_before() > 0);
+            // However little there is to spend, numbers are such as people write.
+            let hasty = psdl::repair::fix(&problem, &Settings { method, budget: 150, ..Settings::default() });
+            for (_, text) in fix.edits.iter().chain(&hasty.edits) {
+                constants += 1;
+                long += usize::from(text.len() > 8);
+            }
         }
     }
     assert!(clean > 20, "only {clean} fixes left no error");
+    assert!(constants > 40 && long * 4 <= constants, "{long} of {constants} new constants are long");
 }
 
 /// How fast centers move with a literal: the replay beside two runs of the program.

@@ -13,8 +13,10 @@ const BISECTIONS: usize = 10;
 /// A shorter number may be this far from the exact one, or this part of it.
 const ROUNDING: f64 = 0.02;
 
-/// Tidies a state up.
+/// Tidies a state up. Numbers are made short even where nothing is left to spend: that takes a few replays for each.
 pub(super) fn refine(search: &mut Search<'_>, state: State) -> State {
+    let all = search.limit;
+    search.limit = search.spent + all.saturating_sub(search.spent) / 2;
     let mut best = drop_unneeded(search, state);
     for _ in 0..2 {
         let before = best.changes.clone();
@@ -24,7 +26,9 @@ pub(super) fn refine(search: &mut Search<'_>, state: State) -> State {
             break;
         }
     }
+    search.limit = all;
     best = pull_back(search, best);
+    search.limit = usize::MAX;
     round(search, best)
 }
 
@@ -125,5 +129,6 @@ pub(super) fn candidates(value: f64, original: f64) -> Vec<f64> {
 
 /// The changes of a state and its score, for methods that end without a state.
 pub(super) fn tidy(search: &mut Search<'_>, changes: Changes) -> Option<Changes> {
+    search.limit = usize::MAX;
     Some(round(search, State::run(search.problem, changes)?).changes)
 }
