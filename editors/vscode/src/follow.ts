@@ -1,5 +1,10 @@
 // Following a text: one question at a time, and the newest text next.
 
+import { overtaken } from "./protocol";
+
+/** Milliseconds before a question that was overtaken is asked again. */
+const PAUSE = 50;
+
 /** Calls `ask` again and again while there is something new, never twice at once. */
 export class Follower {
   private asking = false;
@@ -21,6 +26,12 @@ export class Follower {
     this.ended = true;
   }
 
+  /** What overtook the question may concern another text than ours, of which nobody will tell. */
+  private async pause(): Promise<void> {
+    this.again = true;
+    await new Promise(resolve => setTimeout(resolve, PAUSE));
+  }
+
   private async run(): Promise<void> {
     this.asking = true;
     while (this.again && !this.ended) {
@@ -28,7 +39,8 @@ export class Follower {
       try {
         await this.ask();
       } catch (error) {
-        this.failed(error);
+        if (overtaken(error)) await this.pause();
+        else this.failed(error);
       }
     }
     this.asking = false;

@@ -4,6 +4,7 @@ import * as vscode from "vscode";
 import { Follower } from "./follow";
 import type { FromPicture, PictureState, ToPicture } from "./messages";
 import { page, resources } from "./page";
+import type { Current } from "./program";
 import { RenderRequest, VERSION, type RenderResult, type View } from "./protocol";
 import type { Server } from "./server";
 
@@ -17,11 +18,10 @@ export class Pictures implements vscode.Disposable {
   constructor(
     private readonly extension: vscode.Uri,
     private readonly server: Server,
+    private readonly current: Current,
   ) {
     this.parts = [
-      vscode.commands.registerCommand("psdl.showScene", () => {
-        this.show();
-      }),
+      vscode.commands.registerCommand("psdl.showScene", () => this.show()),
       vscode.window.registerWebviewPanelSerializer(TYPE, {
         deserializeWebviewPanel: async (panel, state: PictureState | undefined) => {
           await this.revive(panel, state);
@@ -30,12 +30,9 @@ export class Pictures implements vscode.Disposable {
     ];
   }
 
-  show(): void {
-    const document = vscode.window.activeTextEditor?.document;
-    if (document?.languageId !== "psdl") {
-      void vscode.window.showInformationMessage("Open a .psdl file first.");
-      return;
-    }
+  async show(): Promise<void> {
+    const document = (await this.current.editor())?.document;
+    if (document === undefined) return;
     const before = this.open.get(document.uri.toString());
     if (before !== undefined) {
       before.reveal();

@@ -54,6 +54,8 @@ export interface ConstantsResult extends Answer {
   constants: Constant[];
 }
 
+export type Facing = "X+" | "Y+" | "X-" | "Y-";
+
 export interface LayoutObject {
   path: string;
   name: string;
@@ -62,7 +64,7 @@ export interface LayoutObject {
   depth: number;
   height: number;
   center: [number, number, number];
-  facing: string;
+  facing: Facing;
 }
 
 export interface LayoutResult extends Answer {
@@ -71,6 +73,25 @@ export interface LayoutResult extends Answer {
   layout: { scene: { title: string; width: number; depth: number; height: number }; objects: LayoutObject[] } | null;
   ranges: { path: string; declaration: Range | null; placements: Range[] }[];
   findings: { code: string; message: string; range: Range; objects: number[] }[];
+}
+
+/** Metres in the world; null: as it is. */
+export type Target = [number | null, number | null, number | null];
+
+/** An edit that brings an object to a place or a facing. */
+export interface Choice {
+  title: string;
+  edit: WorkspaceEdit;
+  reached: [number, number, number] | Facing;
+  /** Whether it is what was asked for, or only nearer. */
+  exact: boolean;
+  /** Errors of the layout then. */
+  errors: number;
+}
+
+/** Best first. */
+export interface PlaceResult extends Answer {
+  choices: Choice[];
 }
 
 export type View = "top" | "perspective" | "both";
@@ -104,4 +125,14 @@ export interface Request<P, R> {
 export const FixRequest: Request<FixParams, FixResult> = { method: "psdl/fix" };
 export const ConstantsRequest: Request<About, ConstantsResult> = { method: "psdl/constants" };
 export const LayoutRequest: Request<About, LayoutResult> = { method: "psdl/layout" };
+export const MoveRequest: Request<About & { object: string; to: Target }, PlaceResult> = { method: "psdl/move" };
+export const TurnRequest: Request<About & { object: string; facing: Facing }, PlaceResult> = { method: "psdl/turn" };
 export const RenderRequest: Request<RenderParams, RenderResult> = { method: "psdl/render" };
+
+/** RequestCancelled, ContentModified, ServerCancelled: nothing is wrong, another question gets the answer. */
+const OVERTAKEN: readonly unknown[] = [-32800, -32801, -32802];
+
+/** Whether a request failed only because an edit, or a newer request, came before its answer. */
+export function overtaken(error: unknown): boolean {
+  return error instanceof Error && "code" in error && OVERTAKEN.includes(error.code);
+}

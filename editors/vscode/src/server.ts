@@ -76,8 +76,13 @@ export class Server implements vscode.Disposable {
   async ask<P, R>(request: Request<P, R>, params: P, token?: vscode.CancellationToken): Promise<R | undefined> {
     const client = this.running;
     if (client === undefined || this.protocol !== VERSION) return undefined;
-    // Without a token its place must stay empty: undefined would be taken for a second parameter.
-    return token === undefined ? client.sendRequest<R>(request.method, params) : client.sendRequest<R>(request.method, params, token);
+    try {
+      // Without a token its place must stay empty: undefined would be taken for a second parameter.
+      return await (token === undefined ? client.sendRequest<R>(request.method, params) : client.sendRequest<R>(request.method, params, token));
+    } catch (error) {
+      if (this.running !== client) return undefined; // it ended over this question; who follows a text asks the next one
+      throw error;
+    }
   }
 
   /** The version of `psdl/…` that the server speaks. */
@@ -206,4 +211,12 @@ export class Server implements vscode.Disposable {
       }
     }
   }
+}
+
+/** Whether a server runs that knows our requests; says what to do, else. */
+export function able({ health, protocol }: Server): boolean {
+  if (protocol === VERSION) return true;
+  const text = health.kind === "running" ? `psdl ${health.version} cannot do this; update it.` : "The server of psdl is not running.";
+  void vscode.window.showErrorMessage(text);
+  return false;
 }

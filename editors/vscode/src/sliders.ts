@@ -5,6 +5,7 @@ import { Follower } from "./follow";
 import type { FromSliders, Slider, ToSliders } from "./messages";
 import { literalBefore } from "./number";
 import { page, resources } from "./page";
+import type { Current } from "./program";
 import { ConstantsRequest, VERSION, type Constant } from "./protocol";
 import type { Server } from "./server";
 
@@ -12,7 +13,7 @@ import type { Server } from "./server";
 interface Known {
   uri: vscode.Uri;
   version: number;
-  /** Counts the answers of the server, so that a page that speaks of an older one is understood or refused. */
+  /** Counts the texts, so that a page that speaks of an older one is refused, and one that drags is not. */
   generation: number;
   constants: { constant: Constant; range: vscode.Range }[];
 }
@@ -32,6 +33,7 @@ export class Sliders implements vscode.WebviewViewProvider, vscode.Disposable {
   constructor(
     private readonly extension: vscode.Uri,
     private readonly server: Server,
+    private readonly current: Current,
   ) {
     const failed = (error: unknown): void => {
       this.send({ kind: "note", text: error instanceof Error ? error.message : String(error) });
@@ -61,6 +63,7 @@ export class Sliders implements vscode.WebviewViewProvider, vscode.Disposable {
       if (view.visible) this.follower.poke();
     });
     view.onDidDispose(() => {
+      this.dragging = false;
       this.view = undefined;
     });
     view.webview.html = page(view.webview, this.extension, "sliders", "Constants");
@@ -77,9 +80,8 @@ export class Sliders implements vscode.WebviewViewProvider, vscode.Disposable {
   }
 
   private async load(): Promise<void> {
-    const active = vscode.window.activeTextEditor?.document;
-    if (active?.languageId === "psdl") this.uri = active.uri;
-    const uri = this.uri;
+    const uri = this.current.document?.uri ?? this.uri;
+    this.uri = uri;
     if (uri === undefined) {
       this.send({ kind: "note", text: "Open a .psdl file to tune its constants." });
       return;
@@ -94,12 +96,15 @@ export class Sliders implements vscode.WebviewViewProvider, vscode.Disposable {
       const { start, end } = constant.range;
       return { constant, range: new vscode.Range(start.line, start.character, end.line, end.character) };
     });
-    this.known = { uri, version: result.version, generation: ++this.generation, constants };
+    const same = this.known?.uri.toString() === uri.toString() && this.known.version === result.version;
+    if (!same) this.generation++;
+    this.known = { uri, version: result.version, generation: this.generation, constants };
     this.send({ kind: "constants", title: uri.path.slice(uri.path.lastIndexOf("/") + 1), generation: this.generation, constants: constants.map(slider) });
   }
 
   private hear(message: FromSliders): void {
     if (message.kind === "ready") {
+      this.dragging = false; // a page that is new drags nothing
       this.follower.poke();
     } else if (message.kind === "show") {
       void this.show(message.index, message.generation);

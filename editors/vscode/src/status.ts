@@ -6,8 +6,11 @@ import type { Server, Work } from "./server";
 export class Status implements vscode.Disposable {
   private readonly item = vscode.window.createStatusBarItem("psdl.status", vscode.StatusBarAlignment.Right, 100);
   private readonly parts: vscode.Disposable[];
+  private readonly changed = new vscode.EventEmitter<string>();
   /** Work that has begun and not ended. */
   private readonly work = new Map<string | number, { title: string; message: string; percentage: number | undefined }>();
+
+  readonly onDidChange = this.changed.event;
 
   constructor(private readonly server: Server) {
     this.item.name = "PSDL";
@@ -17,6 +20,7 @@ export class Status implements vscode.Disposable {
     };
     this.parts = [
       this.item,
+      this.changed,
       server.onDidChange(() => {
         this.work.clear();
         draw();
@@ -73,6 +77,7 @@ export class Status implements vscode.Disposable {
       this.item.tooltip = `psdl ${health.version}, ${health.found.path}${health.matches ? "" : "\nIts version differs from that of this extension."}`;
     }
     this.item.show();
+    this.changed.fire(this.item.text);
   }
 
   private busy(): string | undefined {

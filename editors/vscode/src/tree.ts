@@ -2,6 +2,7 @@
 
 import * as vscode from "vscode";
 import { Follower } from "./follow";
+import type { Current } from "./program";
 import { LayoutRequest, VERSION, type LayoutResult } from "./protocol";
 import type { Server } from "./server";
 
@@ -23,7 +24,10 @@ export class SceneTree implements vscode.TreeDataProvider<Node>, vscode.Disposab
 
   readonly onDidChangeTreeData = this.changed.event;
 
-  constructor(private readonly server: Server) {
+  constructor(
+    private readonly server: Server,
+    private readonly current: Current,
+  ) {
     this.follower = new Follower(
       () => this.load(),
       () => {
@@ -82,6 +86,7 @@ export class SceneTree implements vscode.TreeDataProvider<Node>, vscode.Disposab
     const item = new vscode.TreeItem(object?.path ?? "");
     if (object === undefined) return item;
     item.id = `object ${object.path}`;
+    item.contextValue = "object";
     const metres = (value: number): string => value.toLocaleString("en", { maximumFractionDigits: 2 });
     item.description = `${object.name}, ${[object.width, object.depth, object.height].map(metres).join(" × ")} m`;
     const findings = this.findings(node.object);
@@ -111,8 +116,7 @@ export class SceneTree implements vscode.TreeDataProvider<Node>, vscode.Disposab
   }
 
   private async load(): Promise<void> {
-    const document = vscode.window.activeTextEditor?.document;
-    if (document?.languageId === "psdl") this.uri = document.uri;
+    this.uri = this.current.document?.uri ?? this.uri;
     if (this.uri === undefined) return;
     if (this.server.running !== undefined && this.server.protocol !== VERSION) {
       this.view.message = "This version of psdl does not tell editors about the scene; update it.";

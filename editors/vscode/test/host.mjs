@@ -6,9 +6,10 @@ import { until, Workbench } from "./workbench.mjs";
 const here = import.meta.dirname;
 const extension = process.env.EXTENSION;
 const lamp = fs.readFileSync(path.join(here, "../../test/scenes/lamp.psdl"), "utf8");
+const campsite = fs.readFileSync(path.join(here, "../../../examples/campsite.psdl"), "utf8");
 const results = path.join(fs.mkdtempSync(path.join(process.env.PSDL_EDITORS_OUT, "host-")), "results.txt");
 const workbench = new Workbench("host", {
-  files: { "lamp.psdl": lamp, "second.psdl": lamp, "broken.psdl": `\`\`\`python\n${lamp}\`\`\`\n`, "plain.py": "x = 1\n" },
+  files: { "lamp.psdl": lamp, "second.psdl": lamp, "campsite.psdl": campsite, "broken.psdl": `\`\`\`python\n${lamp}\`\`\`\n`, "plain.py": "x = 1\n" },
   settings: { "security.workspace.trust.enabled": false },
   options: ["--disable-workspace-trust", "--vscode-option", "enable-smoke-test-driver"],
   env: { PSDL_TEST_RESULT: results },

@@ -18,6 +18,7 @@ const at = {
   action: text => `.action-widget .monaco-list-row:has-text("${text}")`,
   actions: ".action-widget .monaco-list-row",
   quickInput: ".quick-input-widget input",
+  quickTitle: text => `.quick-input-title:has-text("${text}")`,
   quickRow: text => `.quick-input-list .monaco-list-row:has-text("${text}")`,
   status: ".statusbar",
   tab: text => `.tab:has-text("${text}")`,
@@ -59,11 +60,13 @@ async function command(title) {
   await page.locator(at.quickRow(title)).first().click();
 }
 
-/** The text of the line that places the lamp, as the editor shows it. */
-async function lampLine() {
-  const lines = await page.locator(`.view-line:has-text("lamp.min.z")`).allInnerTexts();
+/** The text of the line that begins so, as the editor shows it. */
+async function lineOf(start) {
+  const lines = await page.locator(at.line(start)).allInnerTexts();
   return (lines[0] ?? "").replaceAll("\u00a0", " ").trim();
 }
+
+const lampLine = () => lineOf("lamp.min.z");
 
 const lampIs = value => until(`${LAMP}${value}`, async () => (await lampLine()) === LAMP + value);
 
@@ -294,13 +297,29 @@ const code = await (async () => {
         },
       ],
       [
+        "the object of the line is moved where the user says, and turned",
+        async () => {
+          await focusEditor();
+          await goTo("lamp.center.x");
+          await press(() => command("PSDL: Move the Object"), at.quickTitle("Move lamp"));
+          await page.locator(at.quickInput).first().fill("x=1.25");
+          await shot("10-move");
+          await page.keyboard.press("Enter");
+          await until("the lamp at its place", async () => (await lineOf("lamp.center.x")) === "lamp.center.x = table.center.x + 1.25");
+          await press(() => command("PSDL: Turn the Object"), at.quickTitle("Turn lamp to"));
+          await shot("11-turn");
+          await page.locator(at.quickRow("X+")).first().click();
+          await until("the lamp turned", async () => (await lineOf("lamp.facing")) === "lamp.facing = X_MAX");
+        },
+      ],
+      [
         "the walkthrough has five steps",
         async () => {
           await command("Welcome: Open Walkthrough...");
           await press(() => page.locator(at.quickInput).first().fill("Scene programs"), at.quickRow("Scene programs"));
           await page.locator(at.quickRow("Scene programs")).first().click();
           await until("five steps", async () => (await page.locator(".getting-started-step").count()) === 5);
-          await shot("10-walkthrough");
+          await shot("12-walkthrough");
         },
       ],
     ]);

@@ -25,11 +25,10 @@ function M.fix(options, done)
     local errors = ('%d → %d'):format(result.before.errors, result.after.errors)
     if #result.edits == 0 then
       request.say(result.before.errors == 0 and 'nothing to fix' or 'no fix was found; errors: ' .. result.before.errors)
-    elseif type(result.version) == 'number' and result.version ~= vim.lsp.util.buf_versions[bufnr] then
-      return request.say('the text has changed meanwhile; nothing was fixed', vim.log.levels.WARN)
-    else
-      vim.lsp.util.apply_workspace_edit(result.edit, client.offset_encoding)
+    elseif request.apply(bufnr, result.version, result.edit, client) then
       request.say(('%s, errors %s, %s moved'):format(many(#result.edits, 'edit'), errors, many(result.moved, 'object')))
+    else
+      return
     end
     if done then
       done(result)

@@ -55,16 +55,35 @@ function M.create()
     require('psdl').constants()
   end, { desc = 'Show the constants of the program' })
 
+  command('PsdlMove', function(args)
+    require('psdl').move({ to = args.args })
+  end, { nargs = '*', desc = 'Move the object of this line to a place, or by a distance' })
+
+  command('PsdlTurn', function(args)
+    require('psdl').turn({ facing = args.fargs[1] })
+  end, {
+    nargs = '?',
+    complete = function(lead)
+      return complete(require('psdl.place').facings)(lead)
+    end,
+    desc = 'Turn the object of this line',
+  })
+
   command('PsdlLog', function()
     vim.cmd.tabedit(vim.fn.fnameescape(vim.lsp.log.get_filename()))
     vim.cmd.normal({ 'G', bang = true })
   end, { desc = 'Open the log, at its end' })
 
   command('PsdlRestart', function()
-    vim.lsp.enable('psdl', false)
-    vim.wait(2000, function()
+    local function ended()
       return #vim.lsp.get_clients({ name = 'psdl' }) == 0
-    end, 10)
+    end
+    vim.lsp.enable('psdl', false)
+    -- A buffer would be given back to a server that still lives: one that does not go is ended.
+    if not vim.wait(3000, ended, 10) then
+      vim.lsp.stop_client(vim.lsp.get_clients({ name = 'psdl' }), true)
+      vim.wait(3000, ended, 10)
+    end
     vim.lsp.enable('psdl', true)
   end, { desc = 'Start the server anew' })
 end

@@ -80,6 +80,8 @@ local function refresh(view)
       view.constants, view.client = result.constants, client
       draw(view)
     end
+  end, function()
+    refresh(view)
   end)
 end
 

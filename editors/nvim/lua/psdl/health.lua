@@ -37,7 +37,7 @@ local function check_clients()
     local buffers = vim.tbl_count(client.attached_buffers)
     vim.health.ok(('server %s runs for %d buffer%s, columns in %s'):format(version, buffers, buffers == 1 and '' or 's', client.offset_encoding))
     if vim.tbl_get(client.server_capabilities, 'experimental', 'psdl', 'version') ~= require('psdl.request').protocol then
-      vim.health.warn('the server does not know :PsdlFix, :PsdlRender and :PsdlConstants of this plugin', { 'Update psdl.' })
+      vim.health.warn('the server does not know the commands of this plugin', { 'Update psdl.' })
     end
   end
 end

@@ -87,6 +87,20 @@ function M.render(options, done)
   require('psdl.actions').render(options or {}, done)
 end
 
+--- Moves an object: that of the path, or of the line of the cursor. `to` is as in |:PsdlMove|; without it, the user is asked.
+---@param options? { bufnr?: integer, object?: string, to?: string }
+---@param done? fun(choice: psdl.Choice)
+function M.move(options, done)
+  require('psdl.place').move(options or {}, done)
+end
+
+--- Turns an object: that of the path, or of the line of the cursor.
+---@param options? { bufnr?: integer, object?: string, facing?: psdl.Facing }
+---@param done? fun(choice: psdl.Choice)
+function M.turn(options, done)
+  require('psdl.place').turn(options or {}, done)
+end
+
 --- Opens a window with the constants of a buffer.
 ---@param bufnr? integer
 function M.constants(bufnr)

@@ -4,6 +4,9 @@ local M = {}
 --- The version of these requests that this plugin speaks.
 M.protocol = 1
 
+--- Errors that say nothing is wrong: the request was cancelled by us, by an edit of the text, or by the server.
+local overtaken = { [-32800] = true, [-32801] = true, [-32802] = true }
+
 ---@param message string
 ---@param level? integer
 function M.say(message, level)
@@ -32,7 +35,8 @@ end
 ---@param method string
 ---@param params table What goes beside `textDocument`.
 ---@param done fun(result: table, client: vim.lsp.Client)
-function M.ask(bufnr, method, params, done)
+---@param again? fun() What is done where an edit overtook the question; without it the user is told.
+function M.ask(bufnr, method, params, done, again)
   local client = M.client(bufnr)
   if not client then
     return
@@ -40,12 +44,38 @@ function M.ask(bufnr, method, params, done)
   params = vim.tbl_extend('error', { textDocument = vim.lsp.util.make_text_document_params(bufnr) }, params)
   ---@diagnostic disable-next-line: param-type-mismatch (methods of our own)
   client:request(method, params, function(err, result)
-    if err then
+    if err and overtaken[err.code] then
+      if again then
+        vim.defer_fn(again, 50)
+      else
+        M.changed()
+      end
+    elseif err then
       M.say(err.message, vim.log.levels.ERROR)
     elseif result then
       done(result, client)
     end
   end, bufnr)
+end
+
+--- Says that an answer was for an older text.
+function M.changed()
+  M.say('the text has changed meanwhile; nothing was done', vim.log.levels.WARN)
+end
+
+--- Applies an edit that was made for a version of a buffer; false, and a word to the user, if that has changed since.
+---@param bufnr integer
+---@param version integer|vim.NIL
+---@param edit lsp.WorkspaceEdit
+---@param client vim.lsp.Client
+---@return boolean
+function M.apply(bufnr, version, edit, client)
+  if type(version) == 'number' and version ~= vim.lsp.util.buf_versions[bufnr] then
+    M.changed()
+    return false
+  end
+  vim.lsp.util.apply_workspace_edit(edit, client.offset_encoding)
+  return true
 end
 
 return M

@@ -50,6 +50,17 @@
 ---@field version integer|vim.NIL
 ---@field constants psdl.Constant[]
 
+---@class psdl.LayoutObject
+---@field path string As the program names it.
+---@field name string
+---@field center number[] World metres.
+---@field facing psdl.Facing
+
+---@class psdl.LayoutResult The answer to `psdl/layout`.
+---@field version integer|vim.NIL
+---@field layout { objects: psdl.LayoutObject[] }|vim.NIL
+---@field ranges { path: string, declaration: lsp.Range|vim.NIL, placements: lsp.Range[] }[] One an object, in the order of the layout.
+
 ---@class psdl.Choice One way to reach a place or a facing.
 ---@field title string
 ---@field edit lsp.WorkspaceEdit

@@ -20,7 +20,7 @@ interface Row {
   slider: Slider | undefined;
 }
 
-let rows: Row[] = [];
+const rows: Row[] = [];
 let generation = 0;
 let dragged: Row | undefined;
 
@@ -131,13 +131,14 @@ function fill(row: Row, slider: Slider): void {
 window.addEventListener("message", (event: MessageEvent<ToSliders>) => {
   const message = event.data;
   if (message.kind === "note") {
+    // The sliders stay: one of them may have made the text what cannot be run, and can take it back.
     note.textContent = message.text;
-    list.replaceChildren();
-    rows = [];
+    list.classList.add("old");
     return;
   }
   if (dragged !== undefined) return;
   generation = message.generation;
+  list.classList.remove("old");
   note.textContent = message.constants.length === 0 ? `No constant of ${message.title} can be tuned.` : "";
   while (rows.length < message.constants.length) rows.push(build());
   rows.length = message.constants.length;
