@@ -466,6 +466,8 @@ test('the nearest value without errors lies just inside its interval', function(
   local open = vim.NIL
   equal(nil, nearest({ value = 1, good = { { 0, 2 } } }))
   equal(0.01, nearest({ value = -1, good = { { 0, 2 } } }))
+  equal(0.0, nearest({ value = 0.25, good = { { -0.00998, 0.0099976 } } }))
+  equal(0.35, nearest({ value = 1, good = { { 0.332, 0.3611 } } }))
   equal(1.99, nearest({ value = 5, good = { { 0, 2 }, { 9.5, open } } }))
   equal(nil, nearest({ value = 5, good = {} }))
 end)

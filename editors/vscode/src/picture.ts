@@ -91,7 +91,7 @@ class Picture implements vscode.Disposable {
     );
     const name = uri.path.slice(uri.path.lastIndexOf("/") + 1);
     panel.title = `Scene of ${name}`;
-    panel.iconPath = vscode.Uri.joinPath(extension, "media", "scene.svg");
+    panel.iconPath = { light: vscode.Uri.joinPath(extension, "media", "file-light.svg"), dark: vscode.Uri.joinPath(extension, "media", "file-dark.svg") };
     panel.webview.options = { enableScripts: true, localResourceRoots: resources(extension) };
     this.parts = [
       panel.webview.onDidReceiveMessage((message: FromPicture) => {

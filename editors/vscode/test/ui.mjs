@@ -97,7 +97,8 @@ async function goTo(text) {
   await until(`the cursor in line ${number}`, async () => (await page.locator(at.position).first().innerText()).startsWith(`Ln ${number},`));
 }
 
-const focusEditor = () => page.locator(at.line("set_title")).first().click();
+/** Where the line begins: a line of VS Code is as wide as the longest, and its middle may have to be scrolled to. */
+const focusEditor = () => page.locator(at.line("set_title")).first().click({ position: { x: 40, y: 8 } });
 
 const code = await (async () => {
   try {
@@ -292,6 +293,7 @@ const code = await (async () => {
           const frame = await webview("#list .row");
           const row = frame.locator(".row").filter({ has: frame.locator('input[aria-label$="line 14"]') }).first();
           await row.locator("button.mend").click();
+          await lampIs("0.0");
           await until("no squiggle", async () => (await page.locator(at.squiggle).count()) === 0);
           await shot("9-mended");
         },

@@ -108,6 +108,21 @@ local function write(view, constant, value)
   vim.lsp.util.apply_text_edits({ { range = constant.range, newText = text } }, view.source, view.client.offset_encoding)
 end
 
+--- The number with the fewest decimals near a value that lies between two bounds; the value itself if they are too close.
+---@param value number
+---@param low number
+---@param high number
+---@return number
+local function short(value, low, high)
+  for digits = 0, 6 do
+    local rounded = tonumber(('%.' .. digits .. 'f'):format(value)) --[[@as number]]
+    if low <= rounded and rounded <= high then
+      return rounded
+    end
+  end
+  return value
+end
+
 --- The nearest value without errors, a little inside of its interval; nil where there is none, or it stands there.
 ---@param constant psdl.Constant
 ---@return number?
@@ -120,7 +135,7 @@ function M.nearest(constant)
       return nil
     end
     local inset = math.min(0.01, (high - low) / 2)
-    local candidate = constant.value < low and low + inset or high - inset
+    local candidate = short(constant.value < low and low + inset or high - inset, low + inset / 2, high - inset / 2)
     if not best or math.abs(candidate - constant.value) < math.abs(best - constant.value) then
       best = candidate
     end
