@@ -4,6 +4,9 @@ local M = { passed = 0, failed = 0, missing = {} }
 M.root = vim.env.PSDL_TEST_ROOT
 M.folder = vim.env.PSDL_TEST_FOLDER
 
+--- Milliseconds after which nothing is waited for any more; a busy machine may take its time.
+local limit = 30000
+
 ---@type table[] The tests, in order.
 local tests = {}
 
@@ -14,7 +17,7 @@ end
 --- Lets the editor work until something holds; what it returned then.
 function M.eventually(what, condition, milliseconds)
   local value
-  local held = vim.wait(milliseconds or 10000, function()
+  local held = vim.wait(milliseconds or limit, function()
     value = condition()
     return value and true or false
   end, 10)
@@ -72,7 +75,7 @@ function M.codes(bufnr)
 end
 
 function M.wait_codes(bufnr, expected)
-  local held = vim.wait(10000, function()
+  local held = vim.wait(limit, function()
     return vim.deep_equal(expected, M.codes(bufnr))
   end, 10)
   if not held then
@@ -100,7 +103,7 @@ end
 
 --- Asks the server; its answer.
 function M.ask(client, method, params, bufnr)
-  local answer, err = client:request_sync(method, params, 10000, bufnr)
+  local answer, err = client:request_sync(method, params, limit, bufnr)
   if not answer then
     error(method .. ': ' .. tostring(err), 2)
   end

@@ -28,7 +28,7 @@ try {
     ["extensionTestsPath", remote(path.join(here, "suite.cjs"))],
   ];
   await workbench.open(`&payload=${encodeURIComponent(JSON.stringify(payload))}`);
-  await until("the end of the suite", () => ended !== undefined || (fs.existsSync(results) && /\d+ passed/.test(fs.readFileSync(results, "utf8"))), 220_000);
+  await until("the end of the suite", () => ended !== undefined || (fs.existsSync(results) && /\d+ passed/.test(fs.readFileSync(results, "utf8"))), 540_000);
   const text = fs.readFileSync(results, "utf8");
   process.stdout.write(text);
   code = / 0 failed\n$/.test(text) ? 0 : 1;

@@ -6,7 +6,7 @@ const vscode = require("vscode");
 
 const ID = "psdl-lang.psdl";
 
-async function until(what, condition, milliseconds = 30_000) {
+async function until(what, condition, milliseconds = 60_000) {
   let last;
   for (const end = Date.now() + milliseconds; Date.now() < end; await new Promise(resolve => setTimeout(resolve, 20))) {
     last = await condition();
@@ -17,7 +17,7 @@ async function until(what, condition, milliseconds = 30_000) {
 
 /** A test that waits for ever would keep those after it from being run. */
 function limited(body) {
-  const late = new Promise((_, reject) => setTimeout(() => reject(new Error("it did not end")), 60_000).unref());
+  const late = new Promise((_, reject) => setTimeout(() => reject(new Error("it did not end")), 120_000).unref());
   return Promise.race([body(), late]);
 }
 

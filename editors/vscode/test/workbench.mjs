@@ -65,6 +65,8 @@ export class Workbench {
     fs.writeFileSync(path.join(this.user, "User", "settings.json"), JSON.stringify({ ...SETTINGS, ...settings }));
     this.options = options;
     this.env = { ...process.env, EXTENSIONS_GALLERY: '{"serviceUrl":""}', PATH: `${path.dirname(NODE24)}:${process.env.PATH}`, ...env };
+    // Whoever ends this run means what it started as well.
+    for (const signal of ["SIGTERM", "SIGINT"]) process.once(signal, () => void this.keep().finally(() => this.stop().finally(() => process.exit(1))));
     this.common = ["--config", path.join(this.folder, "config.yaml"), "--user-data-dir", this.user, "--extensions-dir", this.extensions];
   }
 
@@ -89,6 +91,7 @@ export class Workbench {
     const switches = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
     this.browser = await chromium.launch({ executablePath: CHROMIUM, headless: true, args: switches });
     this.page = await (await this.browser.newContext({ viewport: { width: 1400, height: 900 } })).newPage();
+    this.page.setDefaultTimeout(60_000);
     this.console = [];
     this.page.on("console", message => this.console.push(`${message.type()} ${message.text()}`));
   }
