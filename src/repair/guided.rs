@@ -10,48 +10,40 @@ use super::state::State;
 use super::{Effort, Settings, refine};
 use rustc_hash::FxHashSet;
 
-/// States that are followed at once where single edits stall, and how deep.
+/// States that are followed at once where nothing else helps, and how deep.
 const BEAM: usize = 6;
 const DEPTH: usize = 3;
 
 /// Candidates that are kept of one state, at most so many of one literal or direction.
 const OFFSPRING: usize = 12;
 
-/// What the descents weigh against the loss, one after the other until one comes to its end: an error, a mean displacement of a metre,
-/// and moving every object.
-pub(super) const WEIGHTS: [[f64; 3]; 3] = [[8.0, 60.0, 200.0], [8.0, 20.0, 20.0], [0.0, 0.0, 0.0]];
+/// So many of the cheapest candidates of a state are measured to the end: where one is to be followed, and where several are.
+const FEW: usize = 6;
+const MANY: usize = 40;
 
-/// Where the first descent clears everything within so many units of the budget, the others are made too.
-const AGAIN: usize = 2000;
+/// What the descents weigh against the loss, one after the other: an error, a mean displacement of a metre, and moving every object.
+pub(super) const WEIGHTS: [[f64; 3]; 3] = [[8.0, 60.0, 200.0], [8.0, 20.0, 20.0], [0.0, 20.0, 200.0]];
 
 /// Units of the budget that are spent on a program without errors left, to do with fewer edits and less movement.
-const POLISH: usize = 2500;
+const POLISH: usize = 5000;
 
 /// Looks for a correction.
 pub(super) fn search(problem: &Problem, settings: &Settings) -> (Changes, Effort) {
     let mut search = Search::new(problem, settings);
-    let budget = settings.budget;
     let Some(start) = State::run(problem, Changes::default()) else { return (Changes::default(), search.effort) };
-    search.limit = budget / 10 * 6 + budget % 10;
+    search.limit = settings.budget - settings.budget / 7;
     let mut best = start.clone();
     for weights in WEIGHTS {
         search.weights = weights;
-        let found = search.descend(start.clone());
+        let found = search.walk(start.clone());
         let found = refine::drop_unneeded(&mut search, found);
         if search.is_better(&found, &best) {
             best = found;
         }
-        if !search.goes_on() || search.targets(&best).is_empty() && search.spent > AGAIN {
-            break;
-        }
     }
     search.weights = WEIGHTS[0];
-    search.limit = budget / 10 * 8 + budget % 10;
-    if search.targets(&best).is_empty() {
-        search.limit = search.limit.min(search.spent + POLISH);
-    }
-    best = search.improve(best);
-    search.limit = budget;
+    best = search.go_on_from(best);
+    search.limit = settings.budget;
     let best = refine::refine(&mut search, best);
     (best.changes, search.effort)
 }
@@ -73,15 +65,19 @@ impl Change {
 }
 
 impl Search<'_> {
-    /// From a state to the best that is found, step by step.
-    fn descend(&mut self, start: State) -> State {
-        let mut best = start;
+    /// Other plans; where they find nothing more and errors are left, several edits at once.
+    fn go_on_from(&mut self, mut best: State) -> State {
         loop {
-            best = self.walk(best);
-            match self.look_ahead(&best) {
-                Some(next) => best = next,
-                None => return best,
+            if self.targets(&best).is_empty() {
+                self.limit = self.limit.min(self.spent + POLISH);
             }
+            best = self.improve(best);
+            if !self.goes_on() || self.targets(&best).is_empty() {
+                return best;
+            }
+            let Some(next) = self.look_ahead(&best) else { return best };
+            let next = self.walk(next);
+            best = refine::drop_unneeded(self, next);
         }
     }
 
@@ -99,7 +95,7 @@ impl Search<'_> {
         if errors.is_empty() || state.changes.len() >= self.settings.max_edits {
             return None;
         }
-        let found = self.expand(state, &errors, false);
+        let found = self.expand(state, &errors, false, FEW);
         let better: Vec<Candidate> = found.into_iter().filter(|found| self.improves(&found.score, &state.score)).take(3).collect();
         better.into_iter().find_map(|found| self.follow(state, found.change))
     }
@@ -123,7 +119,7 @@ impl Search<'_> {
                 let errors = self.targets(state);
                 // Far from where a step was to be made, what takes a run costs more than it finds.
                 self.replays_only = depth > 0;
-                let found = self.expand(state, &errors, depth == 0 || state.violations.len() < 8);
+                let found = self.expand(state, &errors, depth == 0 || state.violations.len() < 8, MANY);
                 self.replays_only = false;
                 next.extend(varied(found).map(|found| (parent, found)));
             }
@@ -152,7 +148,7 @@ impl Search<'_> {
     /// Other plans, while one of them is better.
     fn improve(&mut self, mut best: State) -> State {
         self.replays_only = true;
-        while let Some(better) = self.replan(&best).or_else(|| self.kick(&best)) {
+        while let Some(better) = self.replan(&best).or_else(|| self.kick(&best)).or_else(|| self.merge(&best)) {
             best = better;
         }
         self.replays_only = false;
@@ -168,13 +164,34 @@ impl Search<'_> {
         })
     }
 
+    /// Takes out two edits and looks for one that does for both.
+    fn merge(&mut self, best: &State) -> Option<State> {
+        let changes: Vec<Change> = best.changes.iter().collect();
+        for (at, one) in changes.iter().enumerate() {
+            for other in &changes[at + 1..] {
+                if !self.goes_on() {
+                    return None;
+                }
+                let Some(mut without) = self.go(best, best.changes.without(*one).without(*other)) else { continue };
+                let errors = self.targets(&without);
+                let found = self.expand(&mut without, &errors, false, FEW);
+                let better = found.into_iter().find(|found| found.score.is_as_clean_as(&best.score));
+                let state = better.and_then(|found| self.follow(&without, found.change));
+                if let Some(state) = state.filter(|state| self.is_better(state, best)) {
+                    return Some(state);
+                }
+            }
+        }
+        None
+    }
+
     /// Does one thing that clears an error whatever else it does, and goes on from there.
     fn kick(&mut self, best: &State) -> Option<State> {
         let errors = self.targets(best);
         if errors.is_empty() || best.changes.len() >= self.settings.max_edits {
             return None;
         }
-        let found = self.expand(&mut best.clone(), &errors, true);
+        let found = self.expand(&mut best.clone(), &errors, true, MANY);
         varied(found).collect::<Vec<_>>().into_iter().find_map(|found| {
             let kicked = self.follow(best, found.change)?;
             self.plan(kicked, found.change.site(), best)
@@ -186,9 +203,9 @@ impl Search<'_> {
         if !self.goes_on() {
             return None;
         }
-        self.locked = Some(locked);
+        self.locked.push(locked);
         let found = self.walk(from);
-        self.locked = None;
+        self.locked.clear();
         let found = if found.score.loss <= best.score.loss { refine::drop_unneeded(self, found) } else { found };
         self.is_better(&found, best).then_some(found)
     }
@@ -206,3 +223,5 @@ fn varied(found: Vec<Candidate>) -> impl Iterator<Item = Candidate> {
         })
         .take(OFFSPRING)
 }
+//
+// a

@@ -20,6 +20,7 @@ mod problem;
 mod proposals;
 mod reach;
 mod refine;
+mod rescore;
 mod search;
 mod state;
 mod suggest;

@@ -45,7 +45,7 @@ pub(super) fn search(problem: &Problem, settings: &Settings) -> (Changes, Effort
 
 fn neighbours(problem: &Problem, settings: &Settings, state: &State, errors: &[Violation], rng: &mut ChaCha8Rng) -> Vec<Change> {
     let mut changes = turns(problem, settings, state, errors);
-    let mut literals: Vec<usize> = errors.iter().flat_map(Violation::objects).flat_map(|object| state.movers(object)).collect();
+    let mut literals: Vec<usize> = errors.iter().flat_map(Violation::objects).flat_map(|object| state.movers(object)).copied().collect();
     literals.sort_unstable();
     literals.dedup();
     for literal in literals {

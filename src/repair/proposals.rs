@@ -12,7 +12,7 @@ use crate::syntax::{ConstantId, DirectionId};
 use super::Settings;
 use super::changes::Change;
 use super::problem::Problem;
-use super::state::{Slopes, State};
+use super::state::State;
 
 /// A literal that goes further than this is no correction. In the units of the literal.
 const FAR: f64 = 1e4;
@@ -38,7 +38,8 @@ pub(super) struct Proposal {
 
 /// Which literals may be changed, and how objects move with them.
 pub(super) struct Movers {
-    slopes: Vec<Option<Slopes>>,
+    /// Per literal that was asked for, per object, the derivative of its center.
+    slopes: Vec<Option<Box<[[f64; 3]]>>>,
 }
 
 impl Movers {
@@ -48,8 +49,12 @@ impl Movers {
     }
 
     fn slope(&mut self, state: &mut State, literal: usize, object: usize, axis: usize) -> f64 {
-        let slopes = self.slopes[literal].get_or_insert_with(|| state.slopes(literal));
-        slopes.iter().find(|(moved, _)| *moved as usize == object).map_or(0.0, |(_, slope)| slope[axis])
+        let slopes = self.slopes[literal].get_or_insert_with(|| {
+            let mut slopes = vec![[0.0; 3]; state.bodies.len()].into_boxed_slice();
+            state.slopes(literal).iter().for_each(|(moved, slope)| slopes[*moved as usize] = *slope);
+            slopes
+        });
+        slopes[object][axis]
     }
 
     /// The value of a literal at which a way is gone.
@@ -90,13 +95,18 @@ pub(super) fn constants(problem: &Problem, settings: &Settings, state: &mut Stat
         }
     }
     let mut proposals = Vec::new();
+    let mut literals: Vec<usize> = Vec::new();
     let allowed: Vec<bool> = state.literals().iter().map(|slice| is_allowed(problem, settings, ConstantId(slice.id))).collect();
     for way in &ways {
-        let mut literals: Vec<usize> =
-            state.movers(way.object).chain(way.against.into_iter().flat_map(|other| state.movers(other))).collect();
-        literals.sort_unstable();
-        literals.dedup();
-        for literal in literals.into_iter().filter(|literal| allowed[*literal]) {
+        literals.clear();
+        literals.extend(state.movers(way.object));
+        let own = literals.len();
+        for other in way.against.into_iter().flat_map(|other| state.movers(other)) {
+            if literals[..own].binary_search(other).is_err() {
+                literals.push(*other);
+            }
+        }
+        for &literal in literals.iter().filter(|literal| allowed[**literal]) {
             if let Some(value) = movers.value(state, way, literal) {
                 proposals.push(Proposal { literal, value });
             }

@@ -182,7 +182,7 @@ impl<'a> Reacher<'a> {
 
     /// The literals that move the object, those that move the fewest others first.
     fn literals(&mut self) -> Vec<(usize, [f64; 3])> {
-        let mut movers: Vec<usize> = self.base.movers(self.object).collect();
+        let mut movers: Vec<usize> = self.base.movers(self.object).to_vec();
         movers.sort_unstable();
         movers.dedup();
         movers.retain(|literal| self.problem.is_free(ConstantId(self.base.literals()[*literal].id)));

@@ -1,9 +1,6 @@
 //! The tidy end of a search: no edit that is not needed, none that goes further than it must, and numbers that a person would write.
 
-use crate::check::Violation;
-
 use super::changes::{Change, Changes};
-use super::measure::Score;
 use super::search::Search;
 use super::state::State;
 
@@ -15,19 +12,8 @@ const ROUNDING: f64 = 0.02;
 
 /// Tidies a state up. Numbers are made short even where nothing is left to spend: that takes a few replays for each.
 pub(super) fn refine(search: &mut Search<'_>, state: State) -> State {
-    let all = search.limit;
-    search.limit = search.spent + all.saturating_sub(search.spent) / 2;
-    let mut best = drop_unneeded(search, state);
-    for _ in 0..2 {
-        let before = best.changes.clone();
-        best = exchange(search, best);
-        best = drop_unneeded(search, best);
-        if best.changes == before {
-            break;
-        }
-    }
-    search.limit = all;
-    best = pull_back(search, best);
+    let best = drop_unneeded(search, state);
+    let best = pull_back(search, best);
     search.limit = usize::MAX;
     round(search, best)
 }
@@ -50,26 +36,6 @@ pub(super) fn drop_unneeded(search: &mut Search<'_>, mut best: State) -> State {
             _ => return best,
         }
     }
-}
-
-/// Tries for each edit whether another one does as well with less movement, or better.
-fn exchange(search: &mut Search<'_>, mut best: State) -> State {
-    let changes: Vec<Change> = best.changes.iter().collect();
-    for change in changes {
-        if !search.goes_on() {
-            break;
-        }
-        let Some(mut without) = search.go(&best, best.changes.without(change)) else { continue };
-        let errors: Vec<Violation> = search.targets(&without);
-        let found = search.expand(&mut without, &errors, true);
-        let better = |score: &Score| score.is_as_clean_as(&best.score) && search.cost(score) < search.cost(&best.score) - 1e-9;
-        let exchanged: Vec<Change> = found.into_iter().filter(|found| better(&found.score)).take(2).map(|found| found.change).collect();
-        let states = exchanged.into_iter().find_map(|change| search.follow(&without, change));
-        if let Some(state) = states.filter(|state| search.is_as_clean(state, &best)) {
-            best = state;
-        }
-    }
-    best
 }
 
 /// Brings every constant as close to its original as the errors stay away.

@@ -5,7 +5,7 @@ use std::sync::atomic::Ordering;
 use crate::check::Violation;
 use crate::syntax::ConstantId;
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use smallvec::SmallVec;
 
 use crate::trace::SITE;
@@ -15,7 +15,7 @@ use super::guided::{Site, WEIGHTS};
 use super::measure::{Score, volume};
 use super::problem::Problem;
 use super::proposals;
-use super::state::{State, score_of};
+use super::state::{State, Tried, score_of};
 use super::{Effort, Settings};
 
 /// Of the best candidates so many are looked at again: where they run into something else, the same literal may go elsewhere.
@@ -35,11 +35,13 @@ pub(super) struct Search<'a> {
     /// What an error, a mean displacement of a metre, and moving every object weigh against the loss.
     pub(super) weights: [f64; 3],
     /// What is left alone for now.
-    pub(super) locked: Option<Site>,
+    pub(super) locked: SmallVec<[Site; 2]>,
     /// Nothing is tried that takes a run.
     pub(super) replays_only: bool,
     /// What runs gave.
     known: FxHashMap<Key, Option<Score>>,
+    /// Changes whose runs did no good.
+    hopeless: FxHashSet<(u32, u64)>,
     volume: f64,
 }
 
@@ -72,9 +74,10 @@ impl<'a> Search<'a> {
             limit,
             spent: 0,
             weights: WEIGHTS[0],
-            locked: None,
+            locked: SmallVec::new(),
             replays_only: false,
             known: FxHashMap::default(),
+            hopeless: FxHashSet::default(),
             volume,
         }
     }
@@ -138,8 +141,36 @@ impl<'a> Search<'a> {
         if !self.goes_on() {
             return None;
         }
-        let Some(value) = state.replays(change) else { return self.run(&state.changes.with(change, self.problem.tuning())) };
-        self.try_values(state, &[value]).or_else(|| self.run(&state.changes.with(change, self.problem.tuning())))
+        self.try_within(state, change, f64::INFINITY)
+    }
+
+    /// What a change of a state gives, unless it costs more than `most`.
+    fn try_within(&mut self, state: &mut State, change: Change, most: f64) -> Option<Score> {
+        if !self.goes_on() {
+            return None;
+        }
+        let Some(value) = state.replays(change) else { return self.run_from(state, change) };
+        self.effort.evaluations += 1;
+        self.effort.replays += 1;
+        let tried = state.try_within(self.problem, &[value], &|score| self.cost(score) > most);
+        self.spent += state.replay_cost();
+        match tried {
+            Tried::Scored(score) => Some(score),
+            Tried::TooMuch => None,
+            Tried::Flips => self.run_from(state, change),
+        }
+    }
+
+    /// What a run with one more change gives, unless such a run did no good before.
+    fn run_from(&mut self, state: &State, change: Change) -> Option<Score> {
+        if self.hopeless.contains(&key_of(change)) {
+            return None;
+        }
+        let score = self.run(&state.changes.with(change, self.problem.tuning()));
+        if !self.replays_only && score.is_none_or(|score| score.loss >= state.score.loss) {
+            self.hopeless.insert(key_of(change));
+        }
+        score
     }
 
     /// What other changes than those of a state give.
@@ -155,7 +186,7 @@ impl<'a> Search<'a> {
         let score = state.try_values(self.problem, values)?;
         self.effort.evaluations += 1;
         self.effort.replays += 1;
-        self.spent += state.replay_cost(values);
+        self.spent += state.replay_cost();
         Some(score)
     }
 
@@ -203,32 +234,41 @@ impl<'a> Search<'a> {
         if changes == state.changes { None } else { self.go(state, changes) }
     }
 
-    /// All that clears an error of a state, cheapest first.
-    pub(super) fn expand(&mut self, state: &mut State, errors: &[Violation], wide: bool) -> Vec<Candidate> {
+    /// What clears an error of a state, cheapest first: at least the `enough` cheapest.
+    pub(super) fn expand(&mut self, state: &mut State, errors: &[Violation], wide: bool, enough: usize) -> Vec<Candidate> {
         let mut changes = proposals::turns(self.problem, self.settings, state, errors);
         for proposal in proposals::constants(self.problem, self.settings, state, errors, wide) {
             changes.push(Change::Constant(ConstantId(state.literals()[proposal.literal].id), proposal.value));
         }
+        // What moves little is measured first: the rest is then given up sooner.
+        changes.sort_by_key(|change| state.replays(*change).map_or(usize::MAX, |(literal, _)| state.reach(literal)));
         let mut found = Vec::new();
-        self.try_all(state, changes, &mut found);
-        self.chain(state, &mut found);
+        self.try_all(state, changes, &mut found, enough);
+        self.chain(state, &mut found, enough);
         found
     }
 
     /// Tries changes and sorts all that was found by cost.
-    fn try_all(&mut self, state: &mut State, changes: Vec<Change>, found: &mut Vec<Candidate>) {
+    fn try_all(&mut self, state: &mut State, changes: Vec<Change>, found: &mut Vec<Candidate>, enough: usize) {
+        let mut best: SmallVec<[f64; 64]> = found.iter().map(|found| self.cost(&found.score)).take(enough).collect();
         for change in changes {
-            if self.locked != Some(change.site())
-                && let Some(score) = self.try_change(state, change)
-            {
-                found.push(Candidate { change, score });
+            if self.locked.contains(&change.site()) {
+                continue;
             }
+            let most = if best.len() < enough { f64::INFINITY } else { best[enough - 1] };
+            let Some(score) = self.try_within(state, change, most) else { continue };
+            let cost = self.cost(&score);
+            if cost <= most {
+                best.insert(best.partition_point(|known| *known <= cost), cost);
+                best.truncate(enough);
+            }
+            found.push(Candidate { change, score });
         }
         found.sort_by(|a, b| self.cost(&a.score).total_cmp(&self.cost(&b.score)));
     }
 
     /// Where the best candidates run into something else: the values of the same literals that clear that too.
-    fn chain(&mut self, state: &mut State, found: &mut Vec<Candidate>) {
+    fn chain(&mut self, state: &mut State, found: &mut Vec<Candidate>, enough: usize) {
         let mut more = Vec::new();
         let constants = found.iter().filter(|found| matches!(found.change, Change::Constant(..)) && found.score.count > 0);
         for change in constants.take(CHAINED).map(|found| found.change).collect::<Vec<_>>() {
@@ -244,6 +284,6 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        self.try_all(state, more, found);
+        self.try_all(state, more, found, enough);
     }
 }

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use smallvec::{SmallVec, smallvec};
 
-use crate::check::measure::{self as terms, Bounds, Gap};
-use crate::check::{Checker, ErrorKind, Verdict, Violation, check};
-use crate::scene::{Body, Layout, Outcome, Placed, Support, Target, Told};
+use crate::check::measure::{Bounds, Gap};
+use crate::check::{Verdict, Violation, check};
+use crate::scene::{Body, Kind, Layout, Outcome, Placed, Support, Target, Told};
 use crate::syntax::{ConstantId, DirectionId, Tuning};
 use crate::trace::{AS_WRITTEN, Handle, LiteralSlice, Num, Replay, SITE, Slices, Trace};
 use ruff_text_size::TextRange;
@@ -14,10 +14,11 @@ use ruff_text_size::TextRange;
 use super::changes::{Change, Changes};
 use super::measure::{Score, step, volume};
 use super::problem::{Problem, Ran};
+use super::rescore::{Measure, Room};
 
 /// What one run tells about all its neighbours.
 #[derive(Debug)]
-struct Record {
+pub(super) struct Record {
     trace: Trace,
     slices: Slices,
     /// Per object, where it stands and how it is turned.
@@ -26,11 +27,15 @@ struct Record {
     told: Vec<Told>,
     /// Per literal, the objects that it moves or turns.
     reached: Vec<Vec<u32>>,
+    /// Per object, the literals that move it.
+    movers: Vec<Vec<usize>>,
+    /// The doors and windows, before which there must be room.
+    pub(super) keepers: Vec<usize>,
     /// Per object, those that were told to face it.
-    facers: Vec<Vec<u32>>,
+    pub(super) facers: Vec<Vec<u32>>,
     /// Per object, the directions that reach it, or stand in the statements that turned it.
     directions: Vec<Vec<DirectionId>>,
-    bounds: Bounds,
+    pub(super) bounds: Bounds,
 }
 
 /// The numbers of a body.
@@ -47,6 +52,17 @@ impl Pose {
     }
 }
 
+/// What became of a candidate.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Tried {
+    /// A decision of the program comes out otherwise: only a run tells.
+    Flips,
+    /// It was given up.
+    TooMuch,
+    /// What it is worth.
+    Scored(Score),
+}
+
 /// New values for literals of a record.
 pub(super) type Values = SmallVec<[(usize, f64); 2]>;
 
@@ -58,13 +74,16 @@ pub(super) type Slopes = SmallVec<[(u32, [f64; 3]); 8]>;
 pub(super) struct State {
     pub(super) changes: Changes,
     pub(super) bodies: Vec<Body>,
+    pub(super) boxes: Vec<Room>,
     pub(super) violations: Vec<Violation>,
     pub(super) score: Score,
     record: Arc<Record>,
     replay: Replay,
     /// Per standing body above the ground, what carries it.
-    carriers: Vec<Option<u32>>,
-    moved: Vec<bool>,
+    pub(super) carriers: Vec<Option<u32>>,
+    pub(super) moved: Vec<bool>,
+    /// What the last replay cost, in units of the budget.
+    cost: usize,
 }
 
 /// The score of a run.
@@ -97,6 +116,8 @@ impl State {
             carriers: Vec::new(),
             moved,
             record,
+            boxes: bodies.iter().map(Room::of).collect(),
+            cost: 0,
             bodies,
         };
         state.carriers = (0..state.bodies.len()).map(|index| state.carrier(problem, index)).collect();
@@ -128,8 +149,8 @@ impl State {
     }
 
     /// The literals that move an object, as places among [`literals`](State::literals).
-    pub(super) fn movers(&self, object: usize) -> impl Iterator<Item = usize> + '_ {
-        self.record.poses[object].center.iter().flat_map(|num| self.record.slices.reaching(num.handle))
+    pub(super) fn movers(&self, object: usize) -> &[usize] {
+        &self.record.movers[object]
     }
 
     /// The directions that reach an object, or stand in the statements that turned it.
@@ -167,31 +188,54 @@ impl State {
 
     /// What other values of literals would give, by replay; `None` where a decision of the program comes out otherwise.
     pub(super) fn try_values(&mut self, problem: &Problem, values: &[(usize, f64)]) -> Option<Score> {
-        self.tried(problem, values, None)
+        match self.tried(problem, values, None, &|_| false) {
+            Tried::Scored(score) => Some(score),
+            _ => None,
+        }
+    }
+
+    /// The same, given up as soon as what is known of the score is too much: it only grows.
+    pub(super) fn try_within(&mut self, problem: &Problem, values: &[(usize, f64)], too_much: &dyn Fn(&Score) -> bool) -> Tried {
+        self.tried(problem, values, None, too_much)
     }
 
     /// The same with the errors that there would be.
     pub(super) fn try_errors(&mut self, problem: &Problem, literal: usize, value: f64) -> Option<(Score, Vec<Violation>)> {
         let mut errors = Vec::new();
-        let score = self.tried(problem, &[(literal, value)], Some(&mut errors))?;
-        Some((score, errors))
+        match self.tried(problem, &[(literal, value)], Some(&mut errors), &|_| false) {
+            Tried::Scored(score) => Some((score, errors)),
+            _ => None,
+        }
     }
 
-    fn tried(&mut self, problem: &Problem, values: &[(usize, f64)], keep: Option<&mut Vec<Violation>>) -> Option<Score> {
+    fn tried(
+        &mut self,
+        problem: &Problem,
+        values: &[(usize, f64)],
+        keep: Option<&mut Vec<Violation>>,
+        too_much: &dyn Fn(&Score) -> bool,
+    ) -> Tried {
         let record = Arc::clone(&self.record);
         if !self.set(&record, values) {
             self.replay.undo();
-            return None;
+            self.cost = 1;
+            return Tried::Flips;
         }
         let mut old = Vec::new();
         values.iter().for_each(|(literal, _)| self.place(&record, *literal, &mut old));
-        let score = self.rescore(problem, &record, &old, keep);
+        let again = self.to_measure(&record, &old);
+        let mut measure = Measure { keep, too_much, bodies: 0 };
+        let score = self.rescore(problem, &record, &old, &again, &mut measure);
+        let slices = values.iter().map(|(literal, _)| &self.literals()[*literal]);
+        let replayed: usize = slices.map(|slice| slice.nodes.len() + slice.guards.len()).sum();
+        self.cost = 1 + replayed / 64 + measure.bodies * self.bodies.len() / 512;
         for (object, body) in old {
             self.bodies[object as usize] = body;
+            self.boxes[object as usize] = Room::of(&body);
             self.moved[object as usize] = false;
         }
         self.replay.undo();
-        Some(score)
+        score.map_or(Tried::TooMuch, Tried::Scored)
     }
 
     /// Replays some values; false where a decision of the program comes out otherwise.
@@ -217,91 +261,10 @@ impl State {
             if turned || center != body.center {
                 old.push((object, *body));
                 *body = Body { turn: outcome.turn, directed: outcome.directed, told, ..*body }.at(center);
+                self.boxes[object as usize] = Room::of(body);
                 self.moved[object as usize] = true;
             }
         }
-    }
-
-    /// The score after some bodies were moved: only the terms that read them are measured again. `keep` gets the errors.
-    fn rescore(&self, problem: &Problem, record: &Record, old: &[(u32, Body)], mut keep: Option<&mut Vec<Violation>>) -> Score {
-        let checker = Checker { rules: &problem.options().rules, bounds: record.bounds, bodies: &self.bodies };
-        let mut score = self.score;
-        for (object, before) in old {
-            let original = &problem.layout().objects[*object as usize].body;
-            let ((was, far), (is, further)) = (step(original, before), step(original, &self.bodies[*object as usize]));
-            score.work += volume(original) * (is - was);
-            score.moved = score.moved + usize::from(further) - usize::from(far);
-        }
-        let again = self.to_measure(record, old);
-        for violation in &self.violations {
-            let dropped = match violation.kind {
-                ErrorKind::Standing => again.standing.contains(&violation.culprit),
-                _ => violation.objects().any(|object| self.moved[object]),
-            };
-            if dropped {
-                score.loss -= violation.loss;
-                score.count -= 1;
-            } else if let Some(kept) = &mut keep {
-                kept.push(*violation);
-            }
-        }
-        let mut add = |violation: Violation| {
-            if violation.kind != ErrorKind::Unplaced {
-                score.loss += violation.loss;
-                score.count += 1;
-                keep.iter_mut().for_each(|kept| kept.push(violation));
-            }
-        };
-        again.standing.iter().filter_map(|object| checker.standing_of(*object as usize)).for_each(&mut add);
-        for object in &again.facers {
-            checker.alone(*object as usize).filter(|violation| violation.kind == ErrorKind::Facing).for_each(&mut add);
-        }
-        for (object, _) in old {
-            let object = *object as usize;
-            checker.alone(object).for_each(&mut add);
-            if self.bodies[object].is_placed() {
-                self.pairs(&checker, object, &mut add);
-            }
-        }
-        score
-    }
-
-    /// The errors of a moved body with each other body; of two that moved, told by the first.
-    fn pairs(&self, checker: &Checker<'_>, object: usize, add: &mut impl FnMut(Violation)) {
-        let keeps_clear = |index: usize| terms::clearance_box(checker.rules, &self.bodies[index]);
-        let (body, own) = (&self.bodies[object], keeps_clear(object));
-        for (other, second) in self.bodies.iter().enumerate() {
-            if other == object || !second.is_placed() || self.moved[other] && other < object {
-                continue;
-            }
-            if meet(body.min, body.max, second) {
-                checker.overlap(object, other).into_iter().for_each(&mut *add);
-            }
-            if own.is_some_and(|(min, max)| meet(min, max, second)) {
-                checker.clearance(object, other).into_iter().for_each(&mut *add);
-            }
-            if keeps_clear(other).is_some_and(|(min, max)| meet(min, max, body)) {
-                checker.clearance(other, object).into_iter().for_each(&mut *add);
-            }
-        }
-    }
-
-    /// What reads the moved bodies besides themselves.
-    fn to_measure(&self, record: &Record, old: &[(u32, Body)]) -> Again {
-        let mut again = Again::default();
-        for (index, body) in self.bodies.iter().enumerate() {
-            let carrier_moved = self.carriers[index].is_some_and(|carrier| self.moved[carrier as usize]);
-            if body.is_placed() && body.support == Support::Standing && (self.moved[index] || carrier_moved) {
-                again.standing.push(index as u32);
-            }
-        }
-        let floating = self.violations.iter().filter(|violation| violation.kind == ErrorKind::Standing);
-        let floating = floating.map(|violation| violation.culprit).filter(|culprit| !self.moved[*culprit as usize]);
-        let floating: SmallVec<[u32; 8]> = floating.filter(|culprit| !again.standing.contains(culprit)).collect();
-        again.standing.extend(floating);
-        let facers = old.iter().flat_map(|(object, _)| &record.facers[*object as usize]);
-        again.facers = facers.copied().filter(|facer| !self.moved[*facer as usize]).collect();
-        again
     }
 
     /// The state after one more change.
@@ -325,11 +288,15 @@ impl State {
         }
         let (mut old, mut violations) = (Vec::new(), Vec::new());
         values.iter().for_each(|(literal, _)| next.place(&record, *literal, &mut old));
-        next.score = next.rescore(problem, &record, &old, Some(&mut violations));
+        let again = next.to_measure(&record, &old);
+        let mut measure = Measure { keep: Some(&mut violations), ..Measure::ALL };
+        next.score = next.rescore(problem, &record, &old, &again, &mut measure)?;
         next.violations = violations;
         next.moved.fill(false);
         next.changes = changes.clone();
-        next.carriers = (0..next.bodies.len()).map(|index| next.carrier(problem, index)).collect();
+        for index in again.standing {
+            next.carriers[index as usize] = next.carrier(problem, index as usize);
+        }
         Some(next)
     }
 
@@ -356,31 +323,20 @@ impl State {
         Some(values)
     }
 
-    /// What one replay of a literal costs, in units of the budget: more for long slices and for many objects.
-    pub(super) fn replay_cost(&self, values: &[(usize, f64)]) -> usize {
-        let of = |literal: usize| {
-            let (slice, reached) = (&self.literals()[literal], self.record.reached[literal].len());
-            (slice.nodes.len() + slice.guards.len()) / 64 + reached * self.bodies.len() / 512
-        };
-        1 + values.iter().map(|(literal, _)| of(*literal)).sum::<usize>()
+    /// What the last replay cost, in units of the budget: more for long slices and for many objects.
+    pub(super) fn replay_cost(&self) -> usize {
+        self.cost
+    }
+
+    /// How many objects a literal reaches.
+    pub(super) fn reach(&self, literal: usize) -> usize {
+        self.record.reached[literal].len()
     }
 
     /// Whether a literal reaches an object.
     pub(super) fn reaches(&self, literal: usize, object: usize) -> bool {
         self.record.reached[literal].contains(&(object as u32))
     }
-}
-
-/// Errors to measure again because of bodies that moved.
-#[derive(Default)]
-struct Again {
-    standing: SmallVec<[u32; 16]>,
-    facers: SmallVec<[u32; 16]>,
-}
-
-/// Whether two boxes share a point.
-fn meet(min: [f64; 3], max: [f64; 3], other: &Body) -> bool {
-    (0..3).all(|k| min[k] < other.max[k] && other.min[k] < max[k])
 }
 
 impl Record {
@@ -396,6 +352,14 @@ impl Record {
         };
         let poses: Vec<Pose> = objects.iter().map(pose).collect();
         let told = objects.iter().map(|object| object.body.told).collect();
+        let movers = |pose: &Pose| {
+            let mut movers: Vec<usize> = pose.center.iter().flat_map(|num| slices.reaching(num.handle)).collect();
+            movers.sort_unstable();
+            movers.dedup();
+            movers
+        };
+        let movers = poses.iter().map(movers).collect();
+        let keepers = (0..objects.len()).filter(|index| objects[*index].body.kind != Kind::Object).collect();
         let mut reached = vec![Vec::new(); slices.literals().len()];
         let mut facers = vec![Vec::new(); objects.len()];
         for (index, object) in objects.iter().enumerate() {
@@ -421,7 +385,18 @@ impl Record {
             directions
         };
         let directions = objects.iter().enumerate().map(turned_by).collect();
-        Record { bounds: Bounds::of(&ran.layout.scene), trace: ran.trace, slices, poses, told, reached, facers, directions }
+        Record {
+            bounds: Bounds::of(&ran.layout.scene),
+            trace: ran.trace,
+            slices,
+            poses,
+            told,
+            reached,
+            movers,
+            keepers,
+            facers,
+            directions,
+        }
     }
 }
 

@@ -142,6 +142,15 @@ impl Slices {
 
 /// The members of a bit set.
 fn members(set: &[u64]) -> impl Iterator<Item = usize> + use<> {
-    let set: smallvec::SmallVec<[u64; 8]> = set.into();
-    set.into_iter().enumerate().flat_map(|(at, word)| (0..64).filter(move |bit| word >> bit & 1 == 1).map(move |bit| at * 64 + bit))
+    let set: SmallVec<[u64; 8]> = set.into();
+    let (mut at, mut word) = (0, set.first().copied().unwrap_or_default());
+    std::iter::from_fn(move || {
+        while word == 0 {
+            at += 1;
+            word = *set.get(at)?;
+        }
+        let bit = word.trailing_zeros() as usize;
+        word &= word - 1;
+        Some(at * 64 + bit)
+    })
 }
