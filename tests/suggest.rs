@@ -94,7 +94,7 @@ fn every_suggestion_does_what_its_title_says() {
         let options = Options::default();
         let before = analyse(&program.input(), &options, None);
         let Ok(problem) = Problem::new(&program.input(), &options) else { return };
-        let mut suggester = Suggester::new(&problem).expect("it ran once");
+        let mut suggester = Suggester::new(&problem);
         let names = Names::of(problem.parsed());
         for (_, place, errors) in errors_by_place(problem.layout(), problem.verdict(), &options.rules) {
             for suggestion in suggester.suggest(&problem, &errors, 4, None) {
@@ -134,7 +134,7 @@ fn a_finding_that_a_single_edit_clears_has_a_suggestion() {
     with_programs(|program| {
         let options = Options::default();
         let Ok(problem) = Problem::new(&program.input(), &options) else { return };
-        let mut suggester = Suggester::new(&problem).expect("it ran once");
+        let mut suggester = Suggester::new(&problem);
         let old = keys(problem.verdict());
         let mut tried: Option<Vec<(Changes, BTreeSet<Key>)>> = None;
         for (kind, place, errors) in errors_by_place(problem.layout(), problem.verdict(), &options.rules) {

@@ -59,10 +59,7 @@ impl Lab {
         let Some(index) = found else { return &[] };
         if !self.known.contains_key(&index) {
             let problem = &self.problem;
-            if self.suggester.is_none() {
-                self.suggester = Suggester::new(problem);
-            }
-            let Some(suggester) = &mut self.suggester else { return &[] };
+            let suggester = self.suggester.get_or_insert_with(|| Suggester::new(problem));
             let suggestions = suggester.suggest(problem, &self.errors[index].2, WANTED, cancel);
             if cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed)) {
                 return &[];

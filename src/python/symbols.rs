@@ -2,6 +2,7 @@
 
 use super::value::Symbol;
 use rustc_hash::FxHashMap;
+use std::borrow::Cow;
 
 macro_rules! symbols {
     ($($constant:ident = $text:literal,)*) => {
@@ -237,8 +238,8 @@ symbols! {
 /// The names of a run.
 #[derive(Debug)]
 pub struct Interner {
-    texts: Vec<Box<str>>,
-    index: FxHashMap<Box<str>, Symbol>,
+    texts: Vec<Cow<'static, str>>,
+    index: FxHashMap<Cow<'static, str>, Symbol>,
 }
 
 impl Default for Interner {
@@ -252,7 +253,7 @@ impl Interner {
     pub fn new() -> Interner {
         let mut interner = Interner { texts: Vec::with_capacity(512), index: FxHashMap::with_capacity_and_hasher(512, Default::default()) };
         for text in FIXED {
-            interner.intern(text);
+            interner.add(Cow::Borrowed(text));
         }
         interner
     }
@@ -262,9 +263,13 @@ impl Interner {
         if let Some(&symbol) = self.index.get(text) {
             return symbol;
         }
+        self.add(Cow::Owned(text.to_string()))
+    }
+
+    fn add(&mut self, text: Cow<'static, str>) -> Symbol {
         let symbol = Symbol(self.texts.len() as u32);
-        self.texts.push(text.into());
-        self.index.insert(text.into(), symbol);
+        self.texts.push(text.clone());
+        self.index.insert(text, symbol);
         symbol
     }
 

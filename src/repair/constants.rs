@@ -133,7 +133,7 @@ const BETWEEN: u32 = 16;
 
 /// All constants that may be rewritten, in the order of the text. Ends early where it is cancelled.
 pub fn tunables(problem: &Problem, names: &Names, cancel: Option<&AtomicBool>) -> Vec<Tunable> {
-    let Some(mut base) = State::run(problem, Changes::default()) else { return Vec::new() };
+    let mut base = State::original(problem);
     let known: FxHashSet<Key> = base.violations.iter().map(key).collect();
     let mut found = Vec::new();
     for at in 0..problem.tuning().constants.len() {

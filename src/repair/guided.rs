@@ -30,7 +30,7 @@ const POLISH: usize = 5000;
 /// Looks for a correction.
 pub(super) fn search(problem: &Problem, settings: &Settings) -> (Changes, Effort) {
     let mut search = Search::new(problem, settings);
-    let Some(start) = State::run(problem, Changes::default()) else { return (Changes::default(), search.effort) };
+    let start = State::original(problem);
     search.limit = settings.budget - settings.budget / 7;
     let mut best = start.clone();
     for weights in WEIGHTS {

@@ -1,6 +1,6 @@
 //! What single changes of a program would give, by replay: microseconds, not a run.
 
-use super::changes::{Change, Changes};
+use super::changes::Change;
 use super::measure::Score;
 use super::problem::Problem;
 use super::state::State;
@@ -13,9 +13,9 @@ pub struct Neighbourhood<'a> {
 }
 
 impl<'a> Neighbourhood<'a> {
-    /// Runs the program once more with a record; `None` where that meets a limit.
-    pub fn of(problem: &'a Problem) -> Option<Neighbourhood<'a>> {
-        Some(Neighbourhood { problem, state: State::run(problem, Changes::default())? })
+    /// What the record of the program tells.
+    pub fn of(problem: &'a Problem) -> Neighbourhood<'a> {
+        Neighbourhood { problem, state: State::original(problem) }
     }
 
     /// The errors and the movement that a change would give; `None` where it is not in the record, or a decision of the program

@@ -24,7 +24,7 @@ const THRESHOLD: u64 = 1;
 pub(super) fn search(problem: &Problem, settings: &Settings) -> (Changes, Effort) {
     let mut search = Search::new(problem, settings);
     let mut rng = ChaCha8Rng::seed_from_u64(settings.seed);
-    let Some(mut state) = State::run(problem, Changes::default()) else { return (Changes::default(), search.effort) };
+    let mut state = State::original(problem);
     while search.goes_on() && state.changes.len() < settings.max_edits {
         let errors = search.targets(&state);
         let neighbours = neighbours(problem, settings, &state, &errors, &mut rng);

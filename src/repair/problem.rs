@@ -14,6 +14,7 @@ use crate::syntax::{ConstantId, Parsed, Tuning};
 use crate::trace::{Slices, Trace};
 
 use super::changes::Changes;
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 /// A record of more operations than this is of no use for a search.
@@ -34,7 +35,7 @@ pub struct Ran {
     /// Where everything is.
     pub layout: Layout,
     /// The record, where one was asked for.
-    pub trace: Trace,
+    pub trace: Arc<Trace>,
     /// How many statements raised.
     pub exceptions: usize,
     steps: u64,
@@ -49,6 +50,7 @@ pub struct Problem {
     options: Options,
     in_loops: FxHashSet<String>,
     original: Ran,
+    slices: Arc<Slices>,
     verdict: Verdict,
     limits: Limits,
     stone: FxHashSet<ConstantId>,
@@ -77,10 +79,11 @@ impl Problem {
         let verdict = check(&original.layout, &options.rules);
         // What is tried may loop for ever.
         let limits = Limits { steps: (8 * original.steps + 100_000).min(options.limits.steps), ..options.limits };
-        let stone = stone(&original.trace, &prepared.tuning);
+        let slices = Slices::of(&original.trace).map(Arc::new);
+        let stone = stone(&original.trace, slices.as_deref(), &prepared.tuning);
         let (text, template) = (input.text.to_string(), input.template.map(str::to_string));
         let options = options.clone();
-        Ok(Problem { text, template, prepared, options, in_loops, original, verdict, limits, stone })
+        Ok(Problem { text, template, prepared, options, in_loops, original, slices: slices.unwrap_or_default(), verdict, limits, stone })
     }
 
     /// The program.
@@ -101,6 +104,11 @@ impl Problem {
     /// What counts as an error.
     pub fn options(&self) -> &Options {
         &self.options
+    }
+
+    /// The record of the program as it is, and its slices: none where it is too long.
+    pub(super) fn record(&self) -> (Arc<Trace>, Arc<Slices>) {
+        (Arc::clone(&self.original.trace), Arc::clone(&self.slices))
     }
 
     /// The layout as the program is.
@@ -173,9 +181,9 @@ impl Problem {
 }
 
 /// The constants that reach the size of something.
-fn stone(trace: &Trace, tuning: &Tuning) -> FxHashSet<ConstantId> {
+fn stone(trace: &Trace, slices: Option<&Slices>, tuning: &Tuning) -> FxHashSet<ConstantId> {
     let all = || (0..tuning.constants.len()).filter_map(|at| u32::try_from(at).ok()).map(ConstantId).collect();
-    let Some(slices) = Slices::of(trace) else { return all() };
+    let Some(slices) = slices else { return all() };
     trace.stone().iter().flat_map(|handle| slices.reaching(*handle)).map(|literal| ConstantId(slices.literals()[literal].id)).collect()
 }
 
@@ -212,7 +220,7 @@ fn execute(prepared: &Prepared, changes: &Changes, manner: Manner<'_>) -> Option
         Some((stop, _)) => Err(stop),
         None => {
             let steps = manner.limits.steps.saturating_sub(run.outcome.steps_left);
-            Ok(Ran { layout: run.layout, trace: run.trace, exceptions: run.outcome.exceptions.len(), steps })
+            Ok(Ran { layout: run.layout, trace: Arc::new(run.trace), exceptions: run.outcome.exceptions.len(), steps })
         }
     })
 }

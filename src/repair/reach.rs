@@ -125,7 +125,7 @@ pub fn turn_to(problem: &Problem, names: &Names, object: usize, facing: Cardinal
 impl<'a> Reacher<'a> {
     fn new(problem: &'a Problem, names: &'a Names, object: usize, cancel: Option<&'a AtomicBool>) -> Option<Reacher<'a>> {
         problem.layout().objects.get(object)?;
-        let base = State::run(problem, Changes::default())?;
+        let base = State::original(problem);
         Some(Reacher { problem, names, base, object, lines: LineIndex::new(problem.text()), runs: RUNS, cancel })
     }
 

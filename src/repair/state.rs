@@ -19,8 +19,8 @@ use super::rescore::{Measure, Room};
 /// What one run tells about all its neighbours.
 #[derive(Debug)]
 pub(super) struct Record {
-    trace: Trace,
-    slices: Slices,
+    trace: Arc<Trace>,
+    slices: Arc<Slices>,
     /// Per object, where it stands and how it is turned.
     poses: Vec<Pose>,
     /// Per object, what the program told it to face.
@@ -105,8 +105,21 @@ impl State {
     /// The state after a recorded run.
     pub(super) fn of(problem: &Problem, changes: Changes, ran: Ran) -> State {
         let verdict = check(&ran.layout, &problem.options().rules);
-        let score = score_with(problem, &ran.layout, &verdict);
-        let (bodies, record) = (ran.layout.bodies(), Arc::new(Record::of(problem.tuning(), ran)));
+        let slices = Arc::new(Slices::of(&ran.trace).unwrap_or_default());
+        let record = Record::of(problem.tuning(), &ran.layout, ran.trace, slices);
+        State::recorded(problem, changes, &ran.layout, &verdict, record)
+    }
+
+    /// The program as it is.
+    pub(super) fn original(problem: &Problem) -> State {
+        let (trace, slices) = problem.record();
+        let record = Record::of(problem.tuning(), problem.layout(), trace, slices);
+        State::recorded(problem, Changes::default(), problem.layout(), problem.verdict(), record)
+    }
+
+    fn recorded(problem: &Problem, changes: Changes, layout: &Layout, verdict: &Verdict, record: Record) -> State {
+        let score = score_with(problem, layout, verdict);
+        let (bodies, record) = (layout.bodies(), Arc::new(record));
         let moved = vec![false; bodies.len()];
         let mut state = State {
             changes,
@@ -340,9 +353,8 @@ impl State {
 }
 
 impl Record {
-    fn of(tuning: &Tuning, ran: Ran) -> Record {
-        let slices = Slices::of(&ran.trace).unwrap_or_default();
-        let objects = &ran.layout.objects;
+    fn of(tuning: &Tuning, layout: &Layout, trace: Arc<Trace>, slices: Arc<Slices>) -> Record {
+        let objects = &layout.objects;
         let sliced = !slices.literals().is_empty();
         let known = |num: Num| if sliced { num } else { Num::plain(num.value) };
         let pose = |object: &Placed| Pose {
@@ -378,25 +390,14 @@ impl Record {
             literals.filter(|id| *id >= SITE).map(|id| DirectionId(id - SITE))
         };
         let turned_by = |(index, object): (usize, &Placed)| {
-            let mut directions = turned_by(tuning, &ran.layout, object.faced.map(|faced| faced.0));
+            let mut directions = turned_by(tuning, layout, object.faced.map(|faced| faced.0));
             directions.extend(sites(index));
             directions.sort_unstable();
             directions.dedup();
             directions
         };
         let directions = objects.iter().enumerate().map(turned_by).collect();
-        Record {
-            bounds: Bounds::of(&ran.layout.scene),
-            trace: ran.trace,
-            slices,
-            poses,
-            told,
-            reached,
-            movers,
-            keepers,
-            facers,
-            directions,
-        }
+        Record { bounds: Bounds::of(&layout.scene), trace, slices, poses, told, reached, movers, keepers, facers, directions }
     }
 }
 

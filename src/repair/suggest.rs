@@ -32,6 +32,8 @@ const REPLAYS: usize = 500;
 const RUNS: usize = 16;
 /// So many more where nothing was found.
 const LAST_RUNS: usize = 90;
+/// All of them together cost no more than this, in units of the budget of a search: in a large scene fewer are tried.
+const UNITS: usize = 10_000;
 /// So many first edits are followed by a second.
 const FIRST: usize = 6;
 
@@ -128,19 +130,20 @@ pub struct Suggester {
 struct Purse<'a> {
     replays: usize,
     runs: usize,
+    units: usize,
     cancel: Option<&'a AtomicBool>,
 }
 
 impl Purse<'_> {
     fn is_open(&self) -> bool {
-        self.replays > 0 && !self.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed))
+        self.replays > 0 && self.units > 0 && !self.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed))
     }
 }
 
 /// Gives each finding about layout errors the best suggestion for it.
 pub fn add_suggestions(input: &Input, options: &Options, findings: &mut [Finding]) {
     let Ok(problem) = Problem::new(input, options) else { return };
-    let Some(mut suggester) = Suggester::new(&problem) else { return };
+    let mut suggester = Suggester::new(&problem);
     let names = Names::of(problem.parsed());
     for (kind, place, errors) in errors_by_place(problem.layout(), problem.verdict(), &options.rules) {
         let Some(finding) = findings.iter_mut().find(|finding| finding.code == kind.code() && finding.place == place) else { continue };
@@ -150,9 +153,9 @@ pub fn add_suggestions(input: &Input, options: &Options, findings: &mut [Finding
 }
 
 impl Suggester {
-    /// Runs the program with a record. `None` where it cannot be run again.
-    pub fn new(problem: &Problem) -> Option<Suggester> {
-        Some(Suggester { base: State::run(problem, Changes::default())?, settings: Settings::default() })
+    /// Begins with what the record of the program tells.
+    pub fn new(problem: &Problem) -> Suggester {
+        Suggester { base: State::original(problem), settings: Settings::default() }
     }
 
     /// The best edits for some errors of the program (the worst first), best first, no more than `wanted`.
@@ -162,7 +165,7 @@ impl Suggester {
             known: self.base.violations.iter().map(key).collect(),
             score: self.base.score,
         };
-        let mut purse = Purse { replays: REPLAYS, runs: RUNS, cancel };
+        let mut purse = Purse { replays: REPLAYS, runs: RUNS, units: UNITS, cancel };
         let asked = spread(errors, ASKED);
         if aim.asked.is_empty() {
             return Vec::new();
@@ -277,7 +280,7 @@ impl Suggester {
             };
             let mut held = other;
             let state = held.as_mut().unwrap_or(&mut self.base);
-            let mut purse = Purse { replays: 40, runs: 3, cancel: None };
+            let mut purse = Purse { replays: 40, runs: 3, units: UNITS, cancel: None };
             let short = candidates(value, original).into_iter().find_map(|short| {
                 let found = try_change(problem, aim, state, Change::Constant(id, short), &mut purse)?;
                 (found.tier.is_some() && found.tier <= best.tier && found.score.is_as_clean_as(&best.score)).then_some(found)
@@ -315,11 +318,14 @@ fn try_change(problem: &Problem, aim: &Aim, state: &mut State, change: Change, p
     }
     if let Change::Constant(ConstantId(id), value) = change {
         let literal = state.literals().binary_search_by_key(&id, |slice| slice.id).ok();
-        if let Some((score, errors)) = literal.and_then(|literal| state.try_errors(problem, literal, value)) {
+        let found = literal.and_then(|literal| state.try_errors(problem, literal, value));
+        purse.units = purse.units.saturating_sub(state.replay_cost());
+        if let Some((score, errors)) = found {
             return Some(Tried { changes, score, tier: aim.tier(&score, errors.iter()), idle: false });
         }
     }
     purse.runs = purse.runs.checked_sub(1)?;
+    purse.units = purse.units.saturating_sub(problem.run_cost());
     let ran = problem.run(&changes, false)?;
     let score = score_of(problem, &ran.layout);
     let verdict = check(&ran.layout, &problem.options().rules);

@@ -85,7 +85,7 @@ fn generator<'a>(vm: &'a mut Vm<'_>, number: Value) -> &'a mut Generator {
     };
     match number.checked_sub(1).filter(|&at| at < vm.randoms.len()) {
         Some(at) => &mut vm.randoms[at],
-        None => &mut vm.random,
+        None => vm.random.get_or_insert_default(),
     }
 }
 

@@ -141,7 +141,7 @@ pub struct Vm<'h> {
     /// How many native functions stand between the outermost loop and here.
     pub(super) native_depth: u32,
     /// The generator of `random`'s module functions.
-    pub random: super::modules::random::Generator,
+    pub random: Option<Box<super::modules::random::Generator>>,
     /// Instances of `random.Random`, by number.
     pub randoms: Vec<super::modules::random::Generator>,
     /// How many NaNs were made from text: each is an object of its own, told apart by its payload.
