@@ -164,8 +164,8 @@ const code = await (async () => {
           await command("PSDL: Correct All Errors");
           await until("no squiggle", async () => (await page.locator(at.squiggle).count()) === 0);
           assert.notEqual(await lampLine(), `${LAMP}0.25`);
-          await focusEditor();
           await until("the saved file", async () => {
+            await focusEditor();
             await page.keyboard.press("Control+s");
             return !fs.readFileSync(path.join(workbench.files, "lamp.psdl"), "utf8").includes(`${LAMP}0.25`);
           });
@@ -224,8 +224,9 @@ const code = await (async () => {
       [
         "the picture is back after a reload of the window",
         async () => {
-          // A text that is not saved is kept over a reload only after a while.
+          // A text that is not saved is kept over a reload only after a while. The click may have left the focus in the picture.
           await until("the saved file", async () => {
+            await focusEditor();
             await page.keyboard.press("Control+s");
             return fs.readFileSync(path.join(workbench.files, "lamp.psdl"), "utf8").includes(`${LAMP}0.9\n`);
           });

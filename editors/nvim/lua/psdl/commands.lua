@@ -75,15 +75,12 @@ function M.create()
   end, { desc = 'Open the log, at its end' })
 
   command('PsdlRestart', function()
-    local function ended()
-      return #vim.lsp.get_clients({ name = 'psdl' }) == 0
-    end
+    -- Not asked to end but ended: it keeps nothing, it may be what hangs, and requests that Neovim still makes would come back as errors.
+    vim.lsp.stop_client(vim.lsp.get_clients({ name = 'psdl' }), true)
     vim.lsp.enable('psdl', false)
-    -- A buffer would be given back to a server that still lives: one that does not go is ended.
-    if not vim.wait(3000, ended, 10) then
-      vim.lsp.stop_client(vim.lsp.get_clients({ name = 'psdl' }), true)
-      vim.wait(3000, ended, 10)
-    end
+    vim.wait(5000, function()
+      return #vim.lsp.get_clients({ name = 'psdl' }) == 0
+    end, 10)
     vim.lsp.enable('psdl', true)
   end, { desc = 'Start the server anew' })
 end
