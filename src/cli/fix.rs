@@ -366,6 +366,38 @@ mod tests {
         assert_eq!(diff(text, &edits).join("|"), expected);
     }
 
+    const OUTSIDE: &str = "table = Object('Table', 1.0, 1.0, 1.0)\ntable.max.x = scene.max.x + 0.5\ntable.center.y = 0.0\n";
+
+    fn corrected() -> Done {
+        let problem = Problem::new(&Input { text: OUTSIDE, template: None }, &Options::default()).expect("it runs");
+        let fix = repair::fix(&problem, &Settings::default());
+        let effects = repair::effects(&problem, &fix);
+        Done { before: OUTSIDE.to_string(), fix, effects, exceptions: 0, seconds: 0.0 }
+    }
+
+    #[test]
+    fn a_program_that_changed_meanwhile_is_left_alone() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("a.psdl");
+        let newer = format!("{OUTSIDE}# one more line\n");
+        std::fs::write(&path, &newer).expect("own file");
+        let failure = write(&path, corrected()).map(|_| ()).expect_err("it changed");
+        assert!(format!("{failure:?}").contains("changed while it was being corrected"), "{failure:?}");
+        assert_eq!(std::fs::read_to_string(&path).expect("a text"), newer);
+
+        std::fs::write(&path, OUTSIDE).expect("own file");
+        assert!(write(&path, corrected()).is_ok());
+        assert_eq!(std::fs::read_to_string(&path).expect("a text"), OUTSIDE.replace("0.5", "0.0"));
+    }
+
+    #[test]
+    fn a_diff_is_red_and_green_where_colours_are_asked_for() {
+        let report = corrected().text_report("a.psdl", false, true);
+        assert!(report.contains("\u{1b}[31m-table.max.x = scene.max.x + 0.5\u{1b}[0m\n"), "{report:?}");
+        assert!(report.contains("\u{1b}[32m+table.max.x = scene.max.x + 0.0\u{1b}[0m\n"), "{report:?}");
+        assert!(!corrected().text_report("a.psdl", false, false).contains('\u{1b}'));
+    }
+
     #[test]
     fn lines_are_counted_from_one_and_both_ends_belong() {
         assert_eq!(lines("2-3"), Ok((2, 3)));
