@@ -9,6 +9,7 @@ pub mod cli;
 pub mod config;
 pub mod export;
 pub mod ide;
+mod markup;
 pub mod python;
 pub mod render;
 pub mod repair;

@@ -26,24 +26,6 @@ fn place(text: &str, part: &str) -> Place {
     Place::program(TextRange::at((start as u32).into(), (part.len() as u32).into()))
 }
 
-fn finding(code: Code, place: Place, message: &str) -> Finding {
-    Finding {
-        code,
-        severity: code.severity(),
-        place,
-        message: message.into(),
-        related: Vec::new(),
-        notes: Vec::new(),
-        count: 0,
-        metres: 0.0,
-        loss: 0,
-        objects: Vec::new(),
-        fix: None,
-        suggestion: None,
-        partial: false,
-    }
-}
-
 fn samples() -> Vec<Vec<Finding>> {
     let overlap = Finding {
         related: vec![
@@ -58,22 +40,22 @@ fn samples() -> Vec<Vec<Finding>> {
         metres: 0.15,
         loss: 214,
         objects: vec![4, 0],
-        ..finding(
+        ..Finding::new(
             Code::Overlap,
             place(PROGRAM, "chair.center.y = table.max.y + 0.1"),
             "chairs[3] overlaps table by 0.15 m (and 5 more from this line)",
         )
     };
-    let unused = Finding { partial: true, ..finding(Code::UnusedConstant, place(PROGRAM, "0.4"), "0.4 moves no object") };
+    let unused = Finding { partial: true, ..Finding::new(Code::UnusedConstant, place(PROGRAM, "0.4"), "0.4 moves no object") };
     let template = Finding {
         place: Place { source: Source::Template, range: TextRange::new(27.into(), 29.into()) },
-        ..finding(Code::Template, Place::program(TextRange::default()), "width must be a positive number, not -8")
+        ..Finding::new(Code::Template, Place::program(TextRange::default()), "width must be a positive number, not -8")
     };
     let hostile = Finding {
         notes: vec!["line one\nline two\r\n::error::forged".into(), "\u{1b}[2J".into()],
         fix: Some(Fix { title: "Say \u{1b}[1m`bold`".into(), edits: vec![(place(HOSTILE, "(1, 2)").range, "(1, 2, 0)".into())] }),
         objects: vec![0, 99],
-        ..finding(
+        ..Finding::new(
             Code::Exception,
             place(HOSTILE, "lamp.center = (1, 2)"),
             "ValueError: <b>%0A\u{0}::set-output]]> & \"quoted\"\n::error::forged",
@@ -221,7 +203,7 @@ fn colours_are_only_added() {
 
 #[test]
 fn the_fingerprint_survives_moved_lines_and_tells_twins_apart() {
-    let finding = |text| finding(Code::Unplaced, place(text, "b.center.x"), "b has no y");
+    let finding = |text| Finding::new(Code::Unplaced, place(text, "b.center.x"), "b has no y");
     let moved = format!("# a new line\n{PROGRAM}\nb.center.x  =  1");
     let (before, after) = ("b.center.x = 1", moved.as_str());
     let print = |text, n| {
@@ -240,7 +222,8 @@ fn a_finding_anywhere_in_any_text_is_rendered() {
         let size = text.len() as u32;
         for (start, end) in [(0, 0), (0, size), (size, size), (size / 2, size)] {
             let place = Place::program(TextRange::new(start.into(), end.into()));
-            let findings = [Finding { related: vec![Related { place, message: "here".into() }], ..finding(Code::SyntaxError, place, "m") }];
+            let findings =
+                [Finding { related: vec![Related { place, message: "here".into() }], ..Finding::new(Code::SyntaxError, place, "m") }];
             let file = FileReport { path: "a.psdl", text, template: None, findings: &findings, objects: &[] };
             for (format, name) in Format::ALL {
                 assert!(Printer { format, ..Printer::default() }.all(&[file]).len() > 10, "{name}");

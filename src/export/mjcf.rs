@@ -6,7 +6,8 @@
 use super::Subject;
 use super::colour::Rgb;
 use super::pieces::Pieces;
-use super::words::{Unique, numbers, xml, xml_comment};
+use super::words::{Unique, numbers, xml_comment};
+use crate::markup::xml;
 use crate::scene::Cardinal;
 use std::fmt::Write as _;
 

@@ -4,7 +4,8 @@
 use super::Subject;
 use super::colour::Rgb;
 use super::pieces::Pieces;
-use super::words::{Unique, identifier, numbers, xml, xml_comment};
+use super::words::{Unique, identifier, numbers, xml_comment};
+use crate::markup::xml;
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt::Write as _;

@@ -3,6 +3,7 @@
 use super::FileReport;
 use super::view::View;
 use crate::check::finding::{Finding, Severity};
+use crate::markup::xml;
 use std::fmt::Write as _;
 
 pub(super) const HEAD: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"psdl\">\n";
@@ -11,7 +12,7 @@ pub(super) const TAIL: &str = "</testsuites>\n";
 pub(super) fn file(file: &FileReport) -> String {
     let failures = file.findings.iter().filter(|f| f.severity.fails() && f.code.is_layout()).count();
     let errors = file.findings.iter().filter(|f| f.severity.fails() && !f.code.is_layout()).count();
-    let path = escape(file.path);
+    let path = xml(file.path);
     let tests = file.findings.len().max(1);
     let mut suite = format!("  <testsuite name=\"{path}\" tests=\"{tests}\" failures=\"{failures}\" errors=\"{errors}\">\n");
     if file.findings.is_empty() {
@@ -28,38 +29,18 @@ pub(super) fn file(file: &FileReport) -> String {
 fn case(suite: &mut String, view: &View, path: &str, finding: &Finding) {
     let span = view.span(finding.place);
     let code = finding.code.name();
-    let message = escape(&finding.message);
+    let message = xml(&finding.message);
     let (line, column) = (span.start.line, span.start.column);
     let _ = writeln!(suite, "    <testcase name=\"{code} at {line}:{column}\" classname=\"{path}\">");
     let mut body = format!("{}:{line}:{column}: {}", span.path, finding.message);
     for note in &finding.notes {
         let _ = write!(body, "\n{note}");
     }
-    let body = escape(&body);
+    let body = xml(&body);
     let _ = match (finding.severity, finding.code.is_layout()) {
         (Severity::Info, _) => writeln!(suite, "      <system-out>{body}</system-out>"),
         (_, true) => writeln!(suite, "      <failure type=\"{code}\" message=\"{message}\">{body}</failure>"),
         (_, false) => writeln!(suite, "      <error type=\"{code}\" message=\"{message}\">{body}</error>"),
     };
     suite.push_str("    </testcase>\n");
-}
-
-/// Text for an element or an attribute. What XML 1.0 cannot hold at all is replaced.
-fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for ch in text.chars() {
-        match ch {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&apos;"),
-            '\n' => out.push_str("&#10;"),
-            '\t' => out.push_str("&#9;"),
-            '\u{fffe}' | '\u{ffff}' => out.push(char::REPLACEMENT_CHARACTER),
-            _ if ch.is_control() => out.push(char::REPLACEMENT_CHARACTER),
-            _ => out.push(ch),
-        }
-    }
-    out
 }

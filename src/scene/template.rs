@@ -98,26 +98,28 @@ pub fn is_variable_name(text: &str) -> bool {
     is_identifier(text) && unicode_normalization::is_nfkc(text) && !KEYWORDS.contains(&text)
 }
 
+/// JSON as RFC 8259 has it: no comments, no trailing commas.
+pub(crate) const STRICT: ParseOptions = ParseOptions {
+    allow_comments: false,
+    allow_loose_object_property_names: false,
+    allow_trailing_commas: false,
+    allow_missing_commas: false,
+    allow_single_quoted_strings: false,
+    allow_hexadecimal_numbers: false,
+    allow_unary_plus_numbers: false,
+    allow_bare_decimal_point_numbers: false,
+    allow_non_finite_numbers: false,
+    allow_extended_string_escapes: false,
+};
+
 /// Reads a template. JSON as RFC 8259 has it: no comments, no trailing commas.
 pub fn parse(text: &str) -> Result<Template, Vec<TemplateError>> {
     if u32::try_from(text.len()).is_err() {
         return Err(vec![TemplateError { range: TextRange::default(), message: "the template is too large".into() }]);
     }
-    let strict = ParseOptions {
-        allow_comments: false,
-        allow_loose_object_property_names: false,
-        allow_trailing_commas: false,
-        allow_missing_commas: false,
-        allow_single_quoted_strings: false,
-        allow_hexadecimal_numbers: false,
-        allow_unary_plus_numbers: false,
-        allow_bare_decimal_point_numbers: false,
-        allow_non_finite_numbers: false,
-        allow_extended_string_escapes: false,
-    };
     // A byte order mark becomes white space of the same length, so that places stay what they are.
     let marked = text.strip_prefix('\u{feff}').map(|rest| format!("   {rest}"));
-    let parsed = parse_to_ast(marked.as_deref().unwrap_or(text), &CollectOptions::default(), &strict);
+    let parsed = parse_to_ast(marked.as_deref().unwrap_or(text), &CollectOptions::default(), &STRICT);
     let mut reader = Reader::default();
     let template = match parsed.map(|result| result.value) {
         Err(error) => {
@@ -126,7 +128,7 @@ pub fn parse(text: &str) -> Result<Template, Vec<TemplateError>> {
         }
         Ok(Some(Value::Object(scene))) => reader.scene(&scene),
         Ok(Some(other)) => {
-            reader.error(other.range(), format!("a template is an object, not {}", name_of(&other)));
+            reader.error(other.range(), format!("a template is an object, not {}", kind_of(&other)));
             None
         }
         Ok(None) => {
@@ -145,7 +147,8 @@ fn lower_first(text: &str) -> String {
     chars.next().map_or(String::new(), |first| first.to_lowercase().chain(chars).collect())
 }
 
-fn name_of(value: &Value) -> &'static str {
+/// What a value of JSON is, for messages.
+pub(crate) fn kind_of(value: &Value) -> &'static str {
     match value {
         Value::StringLit(_) => "a string",
         Value::NumberLit(_) => "a number",
@@ -206,7 +209,7 @@ impl Reader {
         if let Value::StringLit(text) = value {
             return Some(text.value.to_string());
         }
-        self.error(value.range(), format!("{key:?} is a string, not {}", name_of(value)));
+        self.error(value.range(), format!("{key:?} is a string, not {}", kind_of(value)));
         None
     }
 
@@ -215,7 +218,7 @@ impl Reader {
             None => default,
             Some(Value::BooleanLit(truth)) => truth.value,
             Some(other) => {
-                self.error(other.range(), format!("{key:?} is true or false, not {}", name_of(other)));
+                self.error(other.range(), format!("{key:?} is true or false, not {}", kind_of(other)));
                 default
             }
         }
@@ -223,7 +226,7 @@ impl Reader {
 
     fn size(&mut self, value: &Value, key: &str) -> Option<Scalar> {
         let Value::NumberLit(number) = value else {
-            self.error(value.range(), format!("{key:?} is a number, not {}", name_of(value)));
+            self.error(value.range(), format!("{key:?} is a number, not {}", kind_of(value)));
             return None;
         };
         let int = !number.value.contains(['.', 'e', 'E']);
@@ -252,7 +255,7 @@ impl Reader {
         let objects = match self.required(&fields, "objects", scene.range) {
             Some(Value::Array(list)) => list.elements.iter().filter_map(|entry| self.entry(entry)).collect(),
             Some(other) => {
-                self.error(other.range(), format!("\"objects\" is a list, not {}", name_of(other)));
+                self.error(other.range(), format!("\"objects\" is a list, not {}", kind_of(other)));
                 Vec::new()
             }
             None => Vec::new(),
@@ -262,7 +265,7 @@ impl Reader {
 
     fn entry(&mut self, entry: &Value) -> Option<TemplateObject> {
         let Value::Object(object) = entry else {
-            self.error(entry.range(), format!("an entry of \"objects\" is an object, not {}", name_of(entry)));
+            self.error(entry.range(), format!("an entry of \"objects\" is an object, not {}", kind_of(entry)));
             return None;
         };
         let fields = self.fields(object, &OBJECT_KEYS);
@@ -344,7 +347,7 @@ impl Reader {
         let number = value.as_number_lit().map(|number| number.value);
         let count = number.and_then(|number| number.parse::<usize>().ok()).filter(|count| (1..=MAX_OBJECTS).contains(count));
         if count.is_none() {
-            let shown = number.unwrap_or(name_of(value));
+            let shown = number.unwrap_or(kind_of(value));
             self.error(value.range(), format!("\"count\" is a whole number from 1 to {MAX_OBJECTS}, not {shown}"));
         }
         count

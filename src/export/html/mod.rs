@@ -6,8 +6,8 @@
 use super::Subject;
 use super::colour::Rgb;
 use super::pieces::Pieces;
-use super::words::xml;
 use crate::check::finding::{Finding, Severity};
+use crate::markup::xml;
 use crate::scene::{Body, Source};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;

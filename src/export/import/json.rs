@@ -1,46 +1,23 @@
 //! Reading JSON so that every mistake is told at its place.
 
 use super::ImportError;
+use crate::scene::template::{STRICT, kind_of};
 use crate::scene::{MAX_OBJECTS, Scalar};
 use jsonc_parser::ast::{Array, Object, Value};
 use jsonc_parser::common::{Range, Ranged};
-use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
+use jsonc_parser::{CollectOptions, parse_to_ast};
 
 /// More mistakes than this are not listed.
 const MOST: usize = 100;
 
 /// JSON as RFC 8259 has it. A byte order mark counts as three blanks.
 pub(super) fn parse(text: &str) -> Result<Value<'_>, ImportError> {
-    let strict = ParseOptions {
-        allow_comments: false,
-        allow_loose_object_property_names: false,
-        allow_trailing_commas: false,
-        allow_missing_commas: false,
-        allow_single_quoted_strings: false,
-        allow_hexadecimal_numbers: false,
-        allow_unary_plus_numbers: false,
-        allow_bare_decimal_point_numbers: false,
-        allow_non_finite_numbers: false,
-        allow_extended_string_escapes: false,
-    };
     if u32::try_from(text.len()).is_err() {
         return Err(ImportError::new(0..0, "the file is too large"));
     }
-    match parse_to_ast(text, &CollectOptions::default(), &strict) {
+    match parse_to_ast(text, &CollectOptions::default(), &STRICT) {
         Ok(parsed) => parsed.value.ok_or_else(|| ImportError::new(0..0, "the file is empty")),
         Err(error) => Err(ImportError::new(error.range().start..error.range().end, format!("this is no JSON: {}", error.kind()))),
-    }
-}
-
-/// What a value is, for messages.
-fn kind(value: &Value) -> &'static str {
-    match value {
-        Value::StringLit(_) => "a string",
-        Value::NumberLit(_) => "a number",
-        Value::BooleanLit(_) => "true or false",
-        Value::Object(_) => "an object",
-        Value::Array(_) => "a list",
-        Value::NullKeyword(_) => "null",
     }
 }
 
@@ -69,7 +46,7 @@ impl Reader {
         match parse(text) {
             Ok(Value::Object(root)) => Some(root),
             Ok(other) => {
-                self.error(other.range(), format!("a scene is an object, not {}", kind(&other)));
+                self.error(other.range(), format!("a scene is an object, not {}", kind_of(&other)));
                 None
             }
             Err(error) => {
@@ -93,7 +70,7 @@ impl Reader {
     }
 
     fn wrong<T>(&mut self, value: &Value, what: &str, wanted: &str) -> Option<T> {
-        self.error(value.range(), format!("{what:?} is {wanted}, not {}", kind(value)));
+        self.error(value.range(), format!("{what:?} is {wanted}, not {}", kind_of(value)));
         None
     }
 
