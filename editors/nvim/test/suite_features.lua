@@ -424,21 +424,38 @@ test('an edit that is made for an older text is not applied', function()
   equal('# a line above\n' .. t.scene('lamp.psdl'), table.concat(t.lines(bufnr), '\n') .. '\n')
 end)
 
+--- Lets the server answer that a request was overtaken, so often; how often it was asked, and what the user was told.
+local function overtaken(client, times, meanwhile)
+  local request, asked = client.request, 0
+  client.request = function(self, method, params, handler, bufnr)
+    asked = asked + (method == 'psdl/fix' and 1 or 0)
+    if method ~= 'psdl/fix' or asked > times then
+      return request(self, method, params, handler, bufnr)
+    end
+    meanwhile()
+    handler({ code = -32801, message = 'content modified' })
+    return true, asked
+  end
+  local word = answered(vim.cmd.PsdlFix)
+  client.request = request
+  return asked, word
+end
+
 test('a request that an edit overtook is no error', function()
   local bufnr, client = lamp()
-  local request = client.request
-  local answers = 0
-  client.request = function(_, _, _, handler)
-    answers = answers + 1
-    handler({ code = -32801, message = 'content modified' })
-    return true, 1
-  end
-  local words = t.said(function()
-    vim.cmd.PsdlFix()
+  local asked, word = overtaken(client, 9, function()
+    vim.api.nvim_buf_set_lines(bufnr, 0, 0, false, { '# a line above' })
   end)
-  client.request = request
-  equal(1, answers)
-  equal({ 'psdl: the text has changed meanwhile; nothing was done' }, words)
+  equal(1, asked)
+  equal('psdl: the text has changed meanwhile; nothing was done', word)
+end)
+
+test('a request that something else overtook is made again', function()
+  local bufnr, client = lamp()
+  local asked, word = overtaken(client, 2, function() end)
+  equal(3, asked)
+  t.matches('errors 1 → 0', word)
+  t.wait_codes(bufnr, {})
 end)
 
 test('where an object shall go is read from words', function()

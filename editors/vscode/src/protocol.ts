@@ -5,7 +5,8 @@ import type { Range, TextDocumentIdentifier, WorkspaceEdit } from "vscode-langua
 /** The version of these requests that this extension speaks. */
 export const VERSION = 1;
 
-interface About {
+/** What all requests say. */
+export interface About {
   textDocument: TextDocumentIdentifier;
 }
 

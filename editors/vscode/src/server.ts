@@ -10,7 +10,7 @@ import type {
   WorkDoneProgressReport,
 } from "vscode-languageclient/node";
 import { findServer, goesWith, type Found } from "./find";
-import { VERSION, type Request } from "./protocol";
+import { overtaken, VERSION, type About, type Request } from "./protocol";
 
 type Library = typeof import("vscode-languageclient/node");
 
@@ -23,6 +23,8 @@ export type Health =
   | { kind: "stopped"; why: string };
 
 const INSTALL = "https://github.com/psdl-lang/psdl#readme";
+/** So often a question that was overtaken is asked again, and so many milliseconds later. */
+const [TRIES, PAUSE] = [5, 50];
 /** After so many deaths in three minutes it is not started again. */
 const DEATHS = 4;
 
@@ -73,15 +75,20 @@ export class Server implements vscode.Disposable {
   }
 
   /** Asks, if there is a server that speaks our version of these requests; undefined else. */
-  async ask<P, R>(request: Request<P, R>, params: P, token?: vscode.CancellationToken): Promise<R | undefined> {
+  async ask<P extends About, R>(request: Request<P, R>, params: P, token?: vscode.CancellationToken): Promise<R | undefined> {
     const client = this.running;
     if (client === undefined || this.protocol !== VERSION) return undefined;
-    try {
-      // Without a token its place must stay empty: undefined would be taken for a second parameter.
-      return await (token === undefined ? client.sendRequest<R>(request.method, params) : client.sendRequest<R>(request.method, params, token));
-    } catch (error) {
-      if (this.running !== client) return undefined; // it ended over this question; who follows a text asks the next one
-      throw error;
+    const version = versionOf(params);
+    for (let left = TRIES; ; left--) {
+      try {
+        // Without a token its place must stay empty: undefined would be taken for a second parameter.
+        return await (token === undefined ? client.sendRequest<R>(request.method, params) : client.sendRequest<R>(request.method, params, token));
+      } catch (error) {
+        if (this.running !== client) return undefined; // it ended over this question; who follows a text asks the next one
+        // Where not this text has changed, but its template or the configuration, the same question is asked again.
+        if (left === 0 || !overtaken(error) || token?.isCancellationRequested === true || versionOf(params) !== version) throw error;
+        await new Promise(resolve => setTimeout(resolve, PAUSE));
+      }
     }
   }
 
@@ -211,6 +218,11 @@ export class Server implements vscode.Disposable {
       }
     }
   }
+}
+
+/** The version of the text that a request is about, if it is open. */
+function versionOf({ textDocument }: About): number | undefined {
+  return vscode.workspace.textDocuments.find(({ uri }) => uri.toString() === textDocument.uri)?.version;
 }
 
 /** Whether a server runs that knows our requests; says what to do, else. */

@@ -7,6 +7,9 @@ M.protocol = 1
 --- Errors that say nothing is wrong: the request was cancelled by us, by an edit of the text, or by the server.
 local overtaken = { [-32800] = true, [-32801] = true, [-32802] = true }
 
+--- So often an overtaken question is asked again, and so many milliseconds later.
+local tries, pause = 5, 50
+
 ---@param message string
 ---@param level? integer
 function M.say(message, level)
@@ -42,20 +45,29 @@ function M.ask(bufnr, method, params, done, again)
     return
   end
   params = vim.tbl_extend('error', { textDocument = vim.lsp.util.make_text_document_params(bufnr) }, params)
-  ---@diagnostic disable-next-line: param-type-mismatch (methods of our own)
-  client:request(method, params, function(err, result)
-    if err and overtaken[err.code] then
-      if again then
-        vim.defer_fn(again, 50)
-      else
-        M.changed()
+  local tick, left = vim.api.nvim_buf_get_changedtick(bufnr), tries
+  local function try()
+    ---@diagnostic disable-next-line: param-type-mismatch (methods of our own)
+    client:request(method, params, function(err, result)
+      if err and overtaken[err.code] then
+        local same = vim.api.nvim_buf_is_valid(bufnr) and vim.api.nvim_buf_get_changedtick(bufnr) == tick
+        if again then
+          vim.defer_fn(again, pause)
+        elseif same and left > 0 and not client:is_stopped() then
+          -- Not this text has changed, but its template or the configuration.
+          left = left - 1
+          vim.defer_fn(try, pause)
+        else
+          M.changed()
+        end
+      elseif err then
+        M.say(err.message, vim.log.levels.ERROR)
+      elseif result then
+        done(result, client)
       end
-    elseif err then
-      M.say(err.message, vim.log.levels.ERROR)
-    elseif result then
-      done(result, client)
-    end
-  end, bufnr)
+    end, bufnr)
+  end
+  try()
 end
 
 --- Says that an answer was for an older text.
