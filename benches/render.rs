@@ -5,6 +5,7 @@
 #![allow(missing_docs, clippy::print_stdout)]
 
 use psdl::analysis::{Analysis, Input, Options as Engine, analyse};
+use psdl::ide::{self, Scene};
 use psdl::render::{Options, Picture, draw};
 use std::path::Path;
 use std::time::Instant;
@@ -38,14 +39,14 @@ fn measure(name: &str, analysis: &Analysis) {
     let rules = Engine::default().rules;
     let picture = Picture { layout, verdict: &analysis.verdict, rules: &rules };
     let large = Options { size: (1200, 1200), ..Options::default() };
-    let hover = Options { size: (320, 240), captions: false, ..Options::default() };
     let shown = |what: &str, (ms, bytes): (f64, usize)| println!("  {what:<28} {ms:>7.2} ms  {:>5} kB", bytes / 1000);
     println!("{name}: {} objects, {} errors", layout.objects.len(), analysis.verdict.counted().count());
     shown("drawing list, 1200 × 1200", median(21, || draw(&picture, &large).items.len()));
     shown("PNG, 1200 × 1200", median(21, || draw(&picture, &large).to_png().len()));
     shown("SVG, 1200 × 1200", median(21, || draw(&picture, &large).to_svg().len()));
     shown("mask, 1200 × 1200", median(21, || draw(&picture, &large).id_mask_png().len()));
-    shown("PNG, 320 × 240", median(21, || draw(&picture, &hover).to_png().len()));
+    let scene = Scene { text: "".into(), layout: layout.clone(), verdict: analysis.verdict.clone(), template: None, partial: false };
+    shown("of a hover, 320 × 240", median(21, || ide::picture(&scene, &[0]).map_or(0, |png| png.len())));
 }
 
 fn main() {

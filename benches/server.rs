@@ -10,6 +10,7 @@ mod client;
 
 use client::{Client, capabilities, memory, uri};
 use psdl::syntax::{Encoding, LineIndex, parse, tune};
+use ruff_text_size::TextSize;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -19,10 +20,35 @@ const KEYS: i32 = 60;
 /// Findings of each program whose actions are asked for, and corrections of it.
 const ACTIONS: usize = 8;
 const SEARCHES: usize = 3;
+/// Places of each program that are asked about.
+const PLACES: usize = 24;
 /// Edits of the test of endurance.
 const EDITS: i32 = 100_000;
 
+/// What is asked about a place.
+const ABOUT_PLACES: [&str; 6] = [
+    "textDocument/hover",
+    "textDocument/completion",
+    "textDocument/signatureHelp",
+    "textDocument/definition",
+    "textDocument/documentHighlight",
+    "textDocument/prepareCallHierarchy",
+];
+/// What is asked about a document.
+const ABOUT_ALL: [&str; 6] = [
+    "textDocument/semanticTokens/full",
+    "textDocument/codeLens",
+    "textDocument/foldingRange",
+    "textDocument/documentSymbol",
+    "textDocument/documentColor",
+    "psdl/layout",
+];
+
 struct Program {
+    /// Names, and behind members' dots.
+    names: Vec<Value>,
+    /// Constants that may be tuned.
+    constants: Vec<Value>,
     name: String,
     uri: String,
     text: String,
@@ -46,13 +72,24 @@ fn programs() -> Vec<Program> {
 fn program(path: PathBuf) -> Option<Program> {
     let path = path.canonicalize().unwrap();
     let text = std::fs::read_to_string(&path).unwrap();
-    let tuning = tune(&parse(&text), &text);
+    let parsed = parse(&text);
+    let tuning = tune(&parsed, &text);
     let constants = tuning.constants.iter().filter(|constant| constant.excluded.is_none());
     let constant = constants.min_by_key(|constant| constant.range.end().to_usize().abs_diff(text.len() / 2))?;
     let place = LineIndex::new(&text).line_column(constant.range.end(), &text, Encoding::Utf16);
     let position = |more: u32| json!({"line": place.line, "character": place.column + more});
+    let lines = LineIndex::new(&text);
+    let places = |offsets: Vec<TextSize>| -> Vec<Value> {
+        let step = offsets.len().div_ceil(PLACES).max(1);
+        let places = offsets.into_iter().step_by(step).map(|offset| lines.line_column(offset, &text, Encoding::Utf16));
+        places.map(|place| json!({"line": place.line, "character": place.column})).collect()
+    };
+    let dots = text.match_indices('.').map(|(at, _)| TextSize::new(at as u32 + 1));
+    let names = places(parsed.scopes.occurrences().iter().map(|found| found.range.end()).chain(dots).collect());
+    let free = tuning.constants.iter().filter(|constant| constant.excluded.is_none());
+    let constants = places(free.map(|constant| constant.range.start()).collect());
     let name = path.file_stem().unwrap().to_string_lossy().into_owned();
-    Some(Program { name, uri: uri(&path), middle: position(0), behind: position(1), text })
+    Some(Program { names, constants, name, uri: uri(&path), middle: position(0), behind: position(1), text })
 }
 
 /// The edits of a key and of the one that takes it back.
@@ -158,8 +195,75 @@ fn fixes(programs: &[Program]) {
     client.finish();
 }
 
+/// Hovers and completions, each after a key, so that nothing is known about the text but its scene.
+fn reading(programs: &[Program]) {
+    let mut able = capabilities("utf-16");
+    for (pictures, allowed) in [(false, 5), (true, 20)] {
+        if pictures {
+            able["general"]["markdown"] = json!({"parser": "marked"});
+        }
+        let mut client = Client::start(able.clone());
+        let mut times: Vec<(&str, Vec<Duration>)> = Vec::new();
+        for program in programs {
+            client.open(&program.uri, 0, &program.text);
+            client.diagnostics(&program.uri, 0);
+            let mut version = 0;
+            let mut ask = |client: &mut Client, what: &'static str, method: &str, place: &Value| {
+                version += 1;
+                client.change(&program.uri, version, key(program, version));
+                client.diagnostics(&program.uri, version);
+                let start = Instant::now();
+                client.request(method, json!({"textDocument": {"uri": program.uri}, "position": place}));
+                let took = start.elapsed();
+                match times.iter_mut().find(|(known, _)| *known == what) {
+                    Some((_, times)) => times.push(took),
+                    None => times.push((what, vec![took])),
+                }
+            };
+            for place in &program.names {
+                ask(&mut client, "hover over a name", "textDocument/hover", place);
+                if !pictures {
+                    ask(&mut client, "completion", "textDocument/completion", place);
+                }
+            }
+            for place in program.constants.iter().filter(|_| !pictures) {
+                ask(&mut client, "hover over a constant", "textDocument/hover", place);
+            }
+            client.close(&program.uri);
+            client.published(&program.uri);
+        }
+        for (what, mut times) in times {
+            let (count, pictured) = (times.len(), if pictures { ", with a picture" } else { "" });
+            let (middle, most, worst) = (at(&mut times, 0.5), at(&mut times, 0.95), at(&mut times, 1.0));
+            println!(
+                "{what}{pictured}: {count} times, p50 {middle:.2} ms, p95 {most:.2} ms, worst {worst:.2} ms (allowed: p95 {allowed} ms)"
+            );
+        }
+        client.finish();
+    }
+    println!();
+}
+
+/// Asks for everything, and waits for the answers.
+fn ask_for_all(client: &mut Client, program: &Program) {
+    let document = json!({"uri": program.uri});
+    let places = program.names.first().into_iter().chain(program.constants.first());
+    let mut ids: Vec<i64> = Vec::new();
+    for place in places {
+        ids.extend(ABOUT_PLACES.map(|method| client.ask(method, json!({"textDocument": document, "position": place}))));
+        let range = json!({"start": place, "end": place});
+        let context = json!({"diagnostics": []});
+        ids.push(client.ask("textDocument/codeAction", json!({"textDocument": document, "range": range, "context": context})));
+        ids.push(client.ask("textDocument/inlayHint", json!({"textDocument": document, "range": range})));
+    }
+    ids.extend(ABOUT_ALL.map(|method| client.ask(method, json!({"textDocument": document}))));
+    ids.into_iter().for_each(|id| drop(client.answer(&json!(id))));
+}
+
 fn endurance(programs: &[Program]) {
-    let mut client = Client::start(capabilities("utf-16"));
+    let mut able = capabilities("utf-16");
+    able["general"]["markdown"] = json!({"parser": "marked"});
+    let mut client = Client::start(able);
     for program in programs {
         client.open(&program.uri, 0, &program.text);
         client.diagnostics(&program.uri, 0);
@@ -173,12 +277,16 @@ fn endurance(programs: &[Program]) {
         if edit % 5 == 0 {
             client.diagnostics(&program.uri, edit);
         }
+        // And now and then everything is asked for.
+        if edit % 100 == 0 {
+            ask_for_all(&mut client, program);
+        }
         if edit % (EDITS / 2) == 0 {
             halves.push(memory(client.pid()).unwrap_or(0) as f64 / f64::from(1 << 20));
         }
     }
     println!(
-        "{EDITS} edits in {} open programs: {:.1} MB after the first half, {:.1} MB after the second ({:+.1} %), {:.0} s (allowed: +5 %, 60 MB)",
+        "{EDITS} edits in {} open programs: {:.1} MB after the first half, {:.1} MB after the second ({:+.1} %), {:.0} s (allowed: +5 %, 80 MB)",
         programs.len(),
         halves[0],
         halves[1],
@@ -197,5 +305,6 @@ fn main() {
     starts();
     keys(&programs);
     fixes(&programs);
+    reading(&programs);
     endurance(&programs);
 }

@@ -2,6 +2,8 @@
 
 #[path = "server/actions.rs"]
 mod actions;
+#[path = "server/cancel.rs"]
+mod cancel;
 #[path = "server/client.rs"]
 mod client;
 #[path = "server/config.rs"]
@@ -24,6 +26,8 @@ mod scenes;
 mod soak;
 #[path = "server/stale.rs"]
 mod stale;
+#[path = "server/sweep.rs"]
+mod sweep;
 #[path = "server/workspace.rs"]
 mod workspace;
 #[path = "server/writing.rs"]

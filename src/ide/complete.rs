@@ -187,7 +187,7 @@ fn about(scene: &Scene, objects: &[usize]) -> String {
 }
 
 fn expression(view: &View, context: &Context, offset: TextSize, items: &mut Vec<Completion>) {
-    if let Some(call) = &context.call {
+    if let Some(call) = context.call.as_ref().filter(|call| call.is_innermost) {
         arguments(view, call, items);
     }
     names(view, offset, items);
@@ -422,6 +422,7 @@ mod tests {
         assert_eq!(first("t = Object('T', width=1, $0", 4), ["color=", "depth=", "dynamic=", "height="]);
         assert_eq!(first("t = Object('T', support=$0", 3), ["FLOATING", "MOUNTED", "STANDING"]);
         assert_eq!(first("def put(o, gap=1): pass\nput(bed, $0", 1), ["gap="]);
+        assert!(!all("def put(o, gap=1): pass\nput([$0").contains(&"gap=".to_string()));
     }
 
     #[test]
@@ -429,6 +430,8 @@ mod tests {
         assert_eq!(first("x = $0\n", 4), ["bed", "chairs", "scene", "gap"]);
         assert!(all("x = rang$0\n").contains(&"range".to_string()));
         assert!(all("x = 'be$0").is_empty() && all("# be$0").is_empty());
+        assert!(all("print(f'{be$0").contains(&"bed".to_string()) && all("print(f'{bed} be$0").is_empty());
+        assert_eq!(all("print(f'{bed.mi$0}')\n"), ["min"]);
     }
 
     #[test]

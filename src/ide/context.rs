@@ -43,6 +43,8 @@ pub(super) struct Call<'t> {
     pub open: usize,
     /// The arguments so far, the last one as far as it is written.
     pub arguments: Vec<&'t str>,
+    /// No other bracket is open inside of it.
+    pub is_innermost: bool,
 }
 
 impl<'t> Call<'t> {
@@ -58,6 +60,8 @@ struct Open {
     at: usize,
     /// Where each element begins.
     starts: Vec<usize>,
+    /// It is the brace of an f-string.
+    field: bool,
 }
 
 fn is_word(text: &str) -> bool {
@@ -91,57 +95,114 @@ struct Scan {
     statement: usize,
 }
 
+/// An f-string that is open: what stands in its braces is code.
+struct FString {
+    quote: u8,
+    triple: bool,
+    /// How many brackets are open around it.
+    depth: usize,
+}
+
 /// Goes through the text up to the place. A line that begins at its very start ends whatever bracket was left open.
 fn scan(before: &str) -> Scan {
-    let bytes = before.as_bytes();
-    let mut open: Vec<Open> = Vec::new();
-    let (mut at, mut statement) = (0, 0);
-    while at < bytes.len() {
-        match bytes[at] {
-            b'#' => match before[at..].find('\n') {
-                Some(length) => at += length,
-                None => return Scan { open, quoted: true, statement },
-            },
-            quote @ (b'"' | b'\'') => match string_end(before, at, quote) {
-                Some(end) => at = end,
-                None => return Scan { open, quoted: true, statement },
-            },
-            b'(' | b'[' | b'{' => {
-                open.push(Open { at, starts: vec![at + 1] });
-                at += 1;
-            }
-            b')' | b']' | b'}' => {
-                open.pop();
-                at += 1;
-            }
-            b',' => {
-                if let Some(inner) = open.last_mut() {
-                    inner.starts.push(at + 1);
+    let mut scanner = Scanner { text: before, at: 0, open: Vec::new(), strings: Vec::new(), statement: 0 };
+    let quoted = scanner.code().is_none();
+    Scan { open: scanner.open, quoted, statement: scanner.statement }
+}
+
+struct Scanner<'t> {
+    text: &'t str,
+    at: usize,
+    open: Vec<Open>,
+    /// The f-strings in whose braces the place is.
+    strings: Vec<FString>,
+    statement: usize,
+}
+
+impl Scanner<'_> {
+    /// Goes through code; `None` where the text ends in a string or a comment.
+    fn code(&mut self) -> Option<()> {
+        let bytes = self.text.as_bytes();
+        while self.at < bytes.len() {
+            let at = self.at;
+            self.at += 1;
+            match bytes[at] {
+                b'#' if self.strings.is_empty() => self.at = at + self.text[at..].find('\n')?,
+                quote @ (b'"' | b'\'') if is_formatted(&bytes[..at]) => {
+                    let triple = bytes[at..].starts_with(&[quote; 3]);
+                    self.at += if triple { 2 } else { 0 };
+                    self.strings.push(FString { quote, triple, depth: self.open.len() });
+                    self.formatted()?;
                 }
-                at += 1;
-            }
-            b'\n' | b'\r' => {
-                at += 1;
-                if bytes.get(at).is_some_and(|next| !matches!(next, b' ' | b'\t' | b'\n' | b'\r' | b')' | b']' | b'}' | b'#')) {
-                    open.clear();
+                quote @ (b'"' | b'\'') => self.at = string_end(self.text, at, quote)?,
+                b'(' | b'[' | b'{' => self.open.push(Open { at, starts: vec![at + 1], field: false }),
+                b'}' | b':' if self.open.last().is_some_and(|inner| inner.field) => {
+                    self.open.pop();
+                    self.formatted()?;
                 }
-                if open.is_empty() {
-                    statement = at;
+                b')' | b']' | b'}' => {
+                    self.open.pop();
                 }
-            }
-            b';' if open.is_empty() => {
-                at += 1;
-                statement = at;
-            }
-            b':' if open.is_empty() && matches!(bytes.get(at + 1), Some(b' ')) => {
-                at += 1;
+                b',' => self.open.last_mut().into_iter().for_each(|inner| inner.starts.push(at + 1)),
+                b'\n' | b'\r' => self.line_ends(),
                 // `if a: b.min.x = …`; an annotation or a lambda looks the same and does no harm.
-                statement = at;
+                b':' if self.open.is_empty() && bytes.get(at + 1) == Some(&b' ') => self.statement = self.at,
+                b';' if self.open.is_empty() => self.statement = self.at,
+                _ => {}
             }
-            _ => at += 1,
+        }
+        Some(())
+    }
+
+    fn line_ends(&mut self) {
+        if let Some(first) = self.strings.iter().position(|string| !string.triple) {
+            self.open.truncate(self.strings[first].depth);
+            self.strings.truncate(first);
+        }
+        let next = self.text.as_bytes().get(self.at);
+        if next.is_some_and(|next| !matches!(next, b' ' | b'\t' | b'\n' | b'\r' | b')' | b']' | b'}' | b'#')) {
+            self.open.retain(|inner| inner.field);
+        }
+        if self.open.is_empty() {
+            self.statement = self.at;
         }
     }
-    Scan { open, quoted: false, statement }
+
+    /// Goes through the text of the innermost f-string, to the next brace with code or behind its end; `None` where the text ends before.
+    fn formatted(&mut self) -> Option<()> {
+        let bytes = self.text.as_bytes();
+        let Some(&FString { quote, triple, .. }) = self.strings.last() else { return Some(()) };
+        while self.at < bytes.len() {
+            match bytes[self.at] {
+                b'\\' => self.at += 2,
+                b'{' if bytes.get(self.at + 1) == Some(&b'{') => self.at += 2,
+                b'{' => {
+                    self.open.push(Open { at: self.at, starts: vec![self.at + 1], field: true });
+                    self.at += 1;
+                    return Some(());
+                }
+                // One with simple quotes ends with its line.
+                b'\n' if !triple => {
+                    self.strings.pop();
+                    return Some(());
+                }
+                byte if byte == quote && (!triple || bytes[self.at..].starts_with(&[quote; 3])) => {
+                    self.at += if triple { 3 } else { 1 };
+                    self.strings.pop();
+                    return Some(());
+                }
+                _ => self.at += 1,
+            }
+        }
+        None
+    }
+}
+
+/// Whether the letters before a quote make it an f-string.
+fn is_formatted(before: &[u8]) -> bool {
+    let letters = before.iter().rev().take_while(|byte| byte.is_ascii_alphanumeric() || **byte == b'_' || !byte.is_ascii()).count();
+    let prefix = &before[before.len() - letters..];
+    matches!(prefix.to_ascii_lowercase().as_slice(), b"f" | b"fr" | b"rf")
 }
 
 /// Behind the end of a string that begins at a quote; `None` where it does not end. One with simple quotes ends with its line.
@@ -161,14 +222,16 @@ fn string_end(text: &str, start: usize, quote: u8) -> Option<usize> {
     None
 }
 
+/// The innermost call that is open. What stands in the braces of an f-string is no part of the call around the string.
 fn call<'t>(before: &'t str, open: &[Open]) -> Option<Call<'t>> {
-    open.iter().rev().find_map(|inner| {
+    let inside = open.iter().rev().take_while(|inner| !inner.field);
+    inside.enumerate().find_map(|(depth, inner)| {
         let callee = receiver(&before[..inner.at]);
         let called = before.as_bytes()[inner.at] == b'(' && !callee.is_empty() && !KEYWORDS.contains(&callee);
         let ends = inner.starts.iter().skip(1).map(|start| start - 1).chain([before.len()]);
         called.then(|| {
             let arguments = inner.starts.iter().zip(ends).map(|(start, end)| before[*start..end].trim_start()).collect();
-            Call { callee, open: inner.at, arguments }
+            Call { callee, open: inner.at, arguments, is_innermost: depth == 0 }
         })
     })
 }
@@ -273,8 +336,32 @@ mod tests {
         for text in ["# be$0", "x = 'be$0", "x = \"\"\"a\nbe$0", "x = f(\"a, b$0"] {
             assert_eq!(at(text).place, Place::Nowhere, "{text}");
         }
+        for text in ["x = f'be$0", "x = f'{bed} be$0", "x = f'{bed:.be$0", "x = f'{{be$0", "x = bf'{be$0", "x = f'{bed['be$0"] {
+            assert_eq!(at(text).place, Place::Nowhere, "{text}");
+        }
         assert_eq!(at("x = 'a' + be$0").place, Place::Expression);
         assert_eq!(at("x = 'never ended\nbe$0").place, Place::Expression);
+    }
+
+    #[test]
+    fn the_braces_of_f_strings_hold_code() {
+        let texts = [
+            "x = f'{be$0",
+            "print(f\"a {{}} {x:.2f} {be$0",
+            "x = rf'{ be$0",
+            "x = f\"\"\"\n{be$0",
+            "x = f'{a:{be$0",
+            "x = f'{d['a']} {be$0",
+        ];
+        for text in texts {
+            let found = at(text);
+            assert_eq!((found.place, found.prefix, found.call), (Place::Expression, "be", None), "{text}");
+        }
+        assert_eq!(at("print(f'{bed.mi$0").place, Place::Member("bed"));
+        assert_eq!(at("print(f'{len(be$0").call.unwrap().callee, "len");
+        assert_eq!(at("print(f'{bed}', be$0").call.unwrap().callee, "print");
+        let next = at("x = f'{never ended\nbe$0");
+        assert!(next.first && next.call.is_none());
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! What a place means: an object, a constant, a direction, a name of PSDL or of Python.
 
+use super::constant::integer;
 use super::docs::{self, Doc};
 use super::find::{
     attribute_at, callee, expressions_at, functions, keyword_at, named_function, nodes_at, occurrence_at, occurrences_of, root,
@@ -56,7 +57,8 @@ pub fn hover(view: &View, offset: TextSize) -> Option<Hover> {
     }
     let subscript = expressions_at(view, offset).into_iter().rev().find(|expr| expr.is_subscript_expr());
     let indexed = subscript.and_then(|expr| objects(view, &Values::new(*view).of(expr), view.slice(expr.range()), expr.range()));
-    indexed.or_else(|| keyword_of_python(view, offset))
+    let integer = || integer(view, offset).map(|(range, markdown)| Hover::new(range, markdown));
+    indexed.or_else(integer).or_else(|| keyword_of_python(view, offset))
 }
 
 /// A float literal that may be tuned, or why it may not.
@@ -457,6 +459,8 @@ for i, c in enumerate(chairs):
         let hover = check("gap = 0.25\nbed.min.x = ga$0p\n", &["gap = 0.25"]);
         assert_eq!(hover.constant, Some(ConstantId(2)));
         check("t = Object('T', 1.5$0, 1, 1)\n", &["never tuned"]);
+        check("t = Object('T', 1$0, 1, 1)\n", &["belongs to the template"]);
+        check("bed.min.x = 2$0\n", &["`2` · an integer"]);
     }
 
     #[test]

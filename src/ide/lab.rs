@@ -1,16 +1,20 @@
 //! A program that is tried with other values: what an editor offers for its layout errors, found on request and remembered.
 
+use super::constant::about_constant;
 use crate::analysis::{Input, Options};
 use crate::check::finding::{Code, Finding, Place};
 use crate::check::{ErrorKind, Violation, errors_by_place};
-use crate::repair::{Names, Problem, Suggester, title};
-use crate::syntax::Edit;
+use crate::repair::{Names, Problem, Suggester, Tuner, title};
+use crate::syntax::{ConstantId, Edit};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// So many suggestions are made for one finding.
 const WANTED: usize = 3;
+
+/// What is tried for one constant that is asked about may cost so much, in units of the budget of a search.
+const CARE: usize = 400;
 
 /// A change that is offered for a finding. A run of the text after it showed what the title says.
 #[derive(Clone, PartialEq, Debug)]
@@ -32,6 +36,8 @@ pub struct Lab {
     errors: Vec<(ErrorKind, Place, Vec<Violation>)>,
     suggester: Option<Suggester>,
     known: FxHashMap<usize, Vec<Offer>>,
+    tuner: Option<Tuner>,
+    told: FxHashMap<ConstantId, String>,
 }
 
 impl Lab {
@@ -40,12 +46,23 @@ impl Lab {
         let problem = Problem::unless_cancelled(input, options, cancel).ok()?;
         let names = Names::of(problem.parsed());
         let errors = errors_by_place(problem.layout(), problem.verdict(), &options.rules);
-        Some(Lab { problem: Arc::new(problem), names, errors, suggester: None, known: FxHashMap::default() })
+        let problem = Arc::new(problem);
+        Some(Lab { problem, names, errors, suggester: None, known: FxHashMap::default(), tuner: None, told: FxHashMap::default() })
     }
 
     /// What constants are called.
     pub fn names(&self) -> &Names {
         &self.names
+    }
+
+    /// What a constant moves, and the values without errors, in Markdown; `None` where it may not be rewritten.
+    pub fn about_constant(&mut self, id: ConstantId) -> Option<&str> {
+        if !self.told.contains_key(&id) {
+            let tuner = self.tuner.get_or_insert_with(|| Tuner::new(&self.problem));
+            let found = tuner.tunable(&self.problem, &self.names, id, CARE)?;
+            self.told.insert(id, about_constant(&self.problem, &found));
+        }
+        self.told.get(&id).map(String::as_str)
     }
 
     /// The best edits for a finding about layout errors, best first.

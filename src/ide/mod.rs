@@ -8,9 +8,11 @@
 //! - No I/O, no clock, no threads, no types of a protocol: a test is a text with a place in it.
 //! - No text and no place makes a feature panic.
 
+mod attributes;
 mod calls;
 mod colors;
 mod complete;
+mod constant;
 mod context;
 mod docs;
 mod find;
@@ -39,6 +41,7 @@ mod words;
 pub use calls::{Caller, function_at, incoming, outgoing};
 pub use colors::{Color, colors, presentation, template_colors};
 pub use complete::{Completion, CompletionKind, Completions, completions};
+pub use constant::about_constant;
 pub use docs::{Doc, of as doc_of};
 pub use fixes::{QuickFix, quick_fixes, touches};
 pub use fold::{Fold, FoldKind, folds, selections};

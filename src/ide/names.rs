@@ -1,5 +1,6 @@
 //! Where a name is bound, and where it is used.
 
+use super::attributes;
 use super::find::{callee, for_each_node, functions, keyword_at, nodes_at, occurrence_at, occurrences_of, variable_of};
 use super::program::View;
 use crate::scene::template::{Template, TemplateObject};
@@ -91,8 +92,17 @@ fn keywords_of(view: &View, variable: Variable) -> Vec<TextRange> {
     names.filter(|arg| arg.id == *name).map(|arg| arg.range).collect()
 }
 
+/// The places of the attribute of a class of the program that stands at a place, where they can be told.
+fn attribute_places(view: &View, offset: TextSize) -> Option<Vec<attributes::Place>> {
+    let (name, _) = attributes::name_at(view, offset)?;
+    attributes::places(view, name).ok()
+}
+
 /// Where the name at a place is bound.
 pub fn definition(view: &View, template: Option<&Template>, offset: TextSize) -> Vec<Site> {
+    if let Some(places) = attribute_places(view, offset) {
+        return places.into_iter().filter(|place| place.binds).map(|place| Site::Program(place.range)).collect();
+    }
     let Some((variable, _)) = variable_at(view, offset) else { return Vec::new() };
     let bound = occurrences_of(view, variable).into_iter().filter(|found| found.role == Role::Bind).map(|found| Site::Program(found.range));
     entry_of(view, template, variable).map(|entry| Site::Template(entry.id_range)).into_iter().chain(bound).collect()
@@ -100,6 +110,9 @@ pub fn definition(view: &View, template: Option<&Template>, offset: TextSize) ->
 
 /// Every place where the name at a place stands; without the places that bind it, unless they are asked for.
 pub fn references(view: &View, template: Option<&Template>, offset: TextSize, with_bindings: bool) -> Vec<Site> {
+    if let Some(places) = attribute_places(view, offset) {
+        return places.into_iter().filter(|place| with_bindings || !place.binds).map(|place| Site::Program(place.range)).collect();
+    }
     variable_at(view, offset).map(|(variable, _)| sites(view, template, variable, with_bindings)).unwrap_or_default()
 }
 
@@ -123,6 +136,9 @@ fn sites(view: &View, template: Option<&Template>, variable: Variable, with_bind
 
 /// Every place in the program where the name at a place stands, and what is done there.
 pub fn highlights(view: &View, offset: TextSize) -> Vec<(TextRange, Use)> {
+    if let Some(places) = attribute_places(view, offset) {
+        return places.into_iter().map(|place| (place.range, if place.binds { Use::Write } else { Use::Read })).collect();
+    }
     let Some((variable, _)) = variable_at(view, offset) else { return Vec::new() };
     let named = occurrences_of(view, variable)
         .into_iter()

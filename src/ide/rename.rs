@@ -3,6 +3,7 @@
 //! The edits are tried: the new text is read, and each of its names must mean what it meant before. What cannot be told from
 //! the text (a keyword argument of a function that is not known, a variable that is looked up by its text) is refused.
 
+use super::attributes;
 use super::docs;
 use super::find::{callee, functions, named_function, nodes_at, occurrences_of, variable_of};
 use super::hover::module_of;
@@ -59,19 +60,34 @@ pub fn prepare(view: &View, sidecar: Option<TemplateText>, at: At) -> Result<(Te
     Ok((range, name))
 }
 
-/// What is meant: the variable where the program uses it, where it stands, and its name.
-fn meant(view: &View, sidecar: Option<TemplateText>, at: At) -> Result<(Option<Variable>, TextRange, String), Refusal> {
+/// What a name stands for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Named {
+    Variable(Variable),
+    /// An attribute of a class of the program.
+    Attribute,
+    /// An entry of the sidecar that the program does not use.
+    Entry,
+}
+
+/// What is meant, where it stands, and its name.
+fn meant(view: &View, sidecar: Option<TemplateText>, at: At) -> Result<(Named, TextRange, String), Refusal> {
     if !view.program.parsed.is_complete() {
         return refuse("the program has syntax errors: correct them first");
     }
     let template = sidecar.map(|sidecar| sidecar.template);
     let (variable, range) = match at {
+        At::Program(offset) if let Some((name, range)) = attributes::name_at(view, offset) => {
+            attributes::places(view, name).map_err(Refusal)?;
+            return Ok((Named::Attribute, range, name.to_string()));
+        }
         At::Program(offset) => variable_at(view, offset).ok_or(Refusal("there is no name here that could be changed".into()))?,
         At::Template(offset) => {
             let Some(entry) = template.and_then(|template| entry_at(template, offset)) else {
                 return refuse("there is no id here");
             };
-            return Ok((variable_of_id(view, &entry.id), inner(entry.id_range, sidecar), entry.id.clone()));
+            let named = variable_of_id(view, &entry.id).map_or(Named::Entry, Named::Variable);
+            return Ok((named, inner(entry.id_range, sidecar), entry.id.clone()));
         }
     };
     let name = view.program.parsed.scopes.name(variable.name).to_string();
@@ -84,13 +100,10 @@ fn meant(view: &View, sidecar: Option<TemplateText>, at: At) -> Result<(Option<V
             format!("nothing binds {name}")
         });
     }
-    if view.program.parsed.scopes.get(variable.owner).kind == ScopeKind::Class {
-        return refuse(format!("{name} is an attribute of a class: where that is used cannot be told from the text"));
-    }
     if all.iter().any(|found| view.slice(found.range) != name) {
         return refuse(format!("{name} is not written like that everywhere"));
     }
-    Ok((Some(variable), range, name))
+    Ok((Named::Variable(variable), range, name))
 }
 
 /// The id without its quotes.
@@ -105,14 +118,22 @@ fn inner(range: TextRange, sidecar: Option<TemplateText>) -> TextRange {
 /// # Errors
 /// The name is none, is taken, or the program would mean something else.
 pub fn rename(view: &View, sidecar: Option<TemplateText>, at: At, new: &str) -> Result<Rename, Refusal> {
-    let (variable, _, name) = meant(view, sidecar, at)?;
+    let (named, _, name) = meant(view, sidecar, at)?;
     allowed(new, &name)?;
     let template = sidecar.map(|sidecar| sidecar.template);
     if template.is_some_and(|template| template.objects.iter().any(|entry| entry.id == new)) {
         return refuse(format!("{new} is an id of the sidecar"));
     }
     let mut edits: Vec<Edit> = Vec::new();
-    if let Some(variable) = variable {
+    if named == Named::Attribute {
+        if attributes::is_taken(view, new) {
+            return refuse(format!("{new} is an attribute already"));
+        }
+        edits.extend(attributes::places(view, &name).map_err(Refusal)?.into_iter().map(|place| (place.range, new.to_string())));
+        verify(view, &edits, new)?;
+        return Ok(Rename { program: edits, template: Vec::new() });
+    }
+    if let Named::Variable(variable) = named {
         let reader = ["globals", "locals", "vars", "dir"].into_iter().find(|reader| is_read(view, reader));
         if let Some(reader) = reader {
             return refuse(format!("{reader}() is used: variables may be looked up by their text"));
@@ -126,9 +147,9 @@ pub fn rename(view: &View, sidecar: Option<TemplateText>, at: At, new: &str) -> 
         edits.sort_by_key(|(range, _)| range.start());
         verify(view, &edits, new)?;
     }
-    let entry = match variable {
-        Some(variable) => entry_of(view, template, variable),
-        None => template.and_then(|template| template.objects.iter().find(|entry| entry.id == name)),
+    let entry = match named {
+        Named::Variable(variable) => entry_of(view, template, variable),
+        _ => template.and_then(|template| template.objects.iter().find(|entry| entry.id == name)),
     };
     let template = entry.map(|entry| (inner(entry.id_range, sidecar), new.to_string())).into_iter().collect();
     Ok(Rename { program: edits, template })
@@ -319,6 +340,46 @@ mod tests {
         refused("def row(a, gap=1, **more):\n    return ga$0p\nrow(1, space=2)\n", "space", "given by name");
     }
 
+    const CLASS: &str = "from dataclasses import dataclass\n@dataclass\nclass Slot:\n    gap: float = 0.5\n    def twice(self):\n        return self.gap * 2\n";
+
+    #[test]
+    fn an_attribute_is_renamed_where_one_family_of_classes_has_it() {
+        let expected = CLASS.replace("gap", "space");
+        check(
+            &format!("{CLASS}s = Slot(ga$0p=1)\nprint(s.gap, s.twice())\n"),
+            "space",
+            &format!("{expected}s = Slot(space=1)\nprint(s.space, s.twice())\n"),
+        );
+        check(
+            &format!("{CLASS}class Wide(Slot):\n    pass\nprint(Wide(gap=2).gap$0)\n"),
+            "space",
+            &format!("{expected}class Wide(Slot):\n    pass\nprint(Wide(space=2).space)\n"),
+        );
+        check(
+            "class C:\n    n$0 = 1\n    m = n\n    def __init__(self, n):\n        self.n = n\nprint(C(n=2).n, C.n)\n",
+            "k",
+            "class C:\n    k = 1\n    m = k\n    def __init__(self, n):\n        self.k = n\nprint(C(n=2).k, C.k)\n",
+        );
+        check(
+            "class C:\n    def put$0(self):\n        pass\nC().put()\n",
+            "place",
+            "class C:\n    def place(self):\n        pass\nC().place()\n",
+        );
+    }
+
+    #[test]
+    fn an_attribute_that_cannot_be_told_apart_keeps_its_name() {
+        refused(&format!("{CLASS}class Other:\n    gap = 1\nprint(Slot().ga$0p)\n"), "space", "both have an attribute gap");
+        refused(&format!("{CLASS}print(getattr(Slot(), 'gap').ga$0p)\n"), "space", "looked up by their text");
+        refused(&format!("{CLASS}make = Slot\nprint(make(gap=1).ga$0p)\n"), "space", "cannot be told");
+        refused(&format!("{CLASS}print(Slot(**{{'gap': 1}}).ga$0p)\n"), "space", "through **");
+        refused(&format!("{CLASS}print(Slot().ga$0p)\n"), "twice", "attribute already");
+        refused("from enum import Enum\nclass C(Enum):\n    RED$0 = 1\n", "BLUE", "inherits from `Enum`");
+        refused("class C:\n    width$0 = 1\n", "w", "belongs to the language");
+        refused("scene.width$0\n", "w", "belongs to the language");
+        refused("x = object()\nx.n$0\n", "w", "no class of the program");
+    }
+
     #[test]
     fn an_import_keeps_what_it_imports() {
         check("import itertools\nitertool$0s.count()\n", "it", "import itertools as it\nit.count()\n");
@@ -334,7 +395,6 @@ mod tests {
         refused("a$0 = 1\n", "2x", "no name");
         refused("a$0 = 1\n", "a", "already");
         refused("scen$0e.width\n", "room", "belongs to the language");
-        refused("class C:\n    n$0 = 1\n", "m", "attribute of a class");
         refused("a$0 = 1\nprint(globals()['a'])\n", "b", "looked up by their text");
         refused("a$0 = (\n", "b", "syntax errors");
     }

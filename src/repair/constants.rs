@@ -109,6 +109,8 @@ pub struct Tunable {
     pub name: Option<String>,
     /// The intervals around its value, or nearest to it, in which it causes no errors; `None` is an open end.
     pub good: Vec<(Option<f64>, Option<f64>)>,
+    /// Whether the ends of the intervals were found; otherwise they may reach farther, or there may be others.
+    pub is_complete: bool,
     /// The objects that it moves, as indices of the layout, and how far each unit more moves them along each axis. Metres.
     pub moves: Vec<(usize, [f64; 3])>,
     /// Errors now among the objects that it moves.
@@ -133,50 +135,74 @@ const BETWEEN: u32 = 16;
 
 /// All constants that may be rewritten, in the order of the text. Ends early where it is cancelled.
 pub fn tunables(problem: &Problem, names: &Names, cancel: Option<&AtomicBool>) -> Vec<Tunable> {
-    let mut base = State::original(problem);
-    let known: FxHashSet<Key> = base.violations.iter().map(key).collect();
-    let mut found = Vec::new();
-    for at in 0..problem.tuning().constants.len() {
-        let id = ConstantId(u32::try_from(at).unwrap_or(u32::MAX));
-        if cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed)) {
-            break;
-        }
-        if problem.is_free(id) {
-            let name = names.get(problem, id).map(str::to_string);
-            let literal = base.literals().binary_search_by_key(&id.0, |slice| slice.id).ok();
-            found.push(match literal {
-                Some(literal) => tunable(problem, &mut base, &known, id, literal, name),
-                None => Tunable { id, name, good: vec![(None, None)], moves: Vec::new(), errors: 0 },
-            });
-        }
-    }
-    found
+    let mut tuner = Tuner::new(problem);
+    let ids = (0..problem.tuning().constants.len()).map(|at| ConstantId(u32::try_from(at).unwrap_or(u32::MAX)));
+    let going = |_: &ConstantId| !cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed));
+    ids.take_while(going).filter_map(|id| tuner.tunable(problem, names, id, usize::MAX)).collect()
 }
 
-fn tunable(problem: &Problem, base: &mut State, known: &FxHashSet<Key>, id: ConstantId, literal: usize, name: Option<String>) -> Tunable {
-    let slopes = base.slopes(literal);
-    let moves: Vec<(usize, [f64; 3])> = slopes.iter().map(|(object, slope)| (*object as usize, *slope)).collect();
-    let reached: FxHashSet<u32> = slopes.iter().map(|(object, _)| *object).collect();
-    let takes_part =
-        |error: &Violation| [Some(error.culprit), error.other, error.support].into_iter().flatten().any(|object| reached.contains(&object));
-    let errors = base.violations.iter().filter(|error| takes_part(error)).count();
-    let value = base.value(literal);
-    let stops = stops(base, &moves, value);
-    let mut runs = RUNS;
-    let good = |base: &mut State, at: f64| {
-        let causes = |errors: &[Violation]| errors.iter().any(|error| takes_part(error) || !known.contains(&key(error)));
-        if let Some((_, errors)) = base.try_errors(problem, literal, at) {
-            return !causes(&errors);
+/// Tries the constants of one program, one at a time.
+#[derive(Debug)]
+pub struct Tuner {
+    base: State,
+    known: FxHashSet<Key>,
+}
+
+impl Tuner {
+    /// Begins with what the record of the program tells.
+    pub fn new(problem: &Problem) -> Tuner {
+        let base = State::original(problem);
+        let known = base.violations.iter().map(key).collect();
+        Tuner { base, known }
+    }
+
+    /// What there is to say about a constant; `None` where it may not be rewritten. What is tried may cost so much, in units of the budget
+    /// of a search: half of it below the value of the constant, half above.
+    pub fn tunable(&mut self, problem: &Problem, names: &Names, id: ConstantId, budget: usize) -> Option<Tunable> {
+        if !problem.is_free(id) {
+            return None;
         }
-        let Some(left) = runs.checked_sub(1) else { return false };
-        runs = left;
-        let changes = Changes::default().with(Change::Constant(id, at), problem.tuning());
-        let Some(ran) = problem.run(&changes, false) else { return false };
-        let verdict = check(&ran.layout, &problem.options().rules);
-        !causes(&verdict.counted().copied().collect::<Vec<_>>())
-    };
-    let good = Intervals { value, stops, base, good }.find();
-    Tunable { id, name, good, moves, errors }
+        let name = names.get(problem, id).map(str::to_string);
+        Some(match self.base.literals().binary_search_by_key(&id.0, |slice| slice.id) {
+            Ok(literal) => self.tried(problem, id, literal, name, budget),
+            Err(_) => Tunable { id, name, good: vec![(None, None)], is_complete: true, moves: Vec::new(), errors: 0 },
+        })
+    }
+
+    fn tried(&mut self, problem: &Problem, id: ConstantId, literal: usize, name: Option<String>, budget: usize) -> Tunable {
+        let slopes = self.base.slopes(literal);
+        let moves: Vec<(usize, [f64; 3])> = slopes.iter().map(|(object, slope)| (*object as usize, *slope)).collect();
+        let reached: FxHashSet<u32> = slopes.iter().map(|(object, _)| *object).collect();
+        let takes_part = |error: &Violation| {
+            let objects = [Some(error.culprit), error.other, error.support];
+            objects.into_iter().flatten().any(|object| reached.contains(&object))
+        };
+        let errors = self.base.violations.iter().filter(|error| takes_part(error)).count();
+        let value = self.base.value(literal);
+        let stops = stops(&self.base, &moves, value);
+        let known = &self.known;
+        let (mut runs, mut left, mut asked_too_much) = (RUNS, budget, false);
+        let good = |base: &mut State, at: f64, reserve: bool| {
+            let causes = |errors: &[Violation]| errors.iter().any(|error| takes_part(error) || !known.contains(&key(error)));
+            if left <= if reserve { budget / 2 } else { 0 } {
+                asked_too_much = true;
+                return false;
+            }
+            let tried = base.try_errors(problem, literal, at);
+            left = left.saturating_sub(base.replay_cost());
+            if let Some((_, errors)) = tried {
+                return !causes(&errors);
+            }
+            let Some(fewer) = runs.checked_sub(1) else { return false };
+            (runs, left) = (fewer, left.saturating_sub(problem.run_cost()));
+            let changes = Changes::default().with(Change::Constant(id, at), problem.tuning());
+            let Some(ran) = problem.run(&changes, false) else { return false };
+            let verdict = check(&ran.layout, &problem.options().rules);
+            !causes(&verdict.counted().copied().collect::<Vec<_>>())
+        };
+        let good = Intervals { value, stops, base: &mut self.base, good }.find();
+        Tunable { id, name, good, is_complete: !asked_too_much, moves, errors }
+    }
 }
 
 /// The values at which an object that moves meets another, a wall or the ground.
@@ -218,9 +244,10 @@ struct Intervals<'a, G> {
     good: G,
 }
 
-impl<G: FnMut(&mut State, f64) -> bool> Intervals<'_, G> {
+impl<G: FnMut(&mut State, f64, bool) -> bool> Intervals<'_, G> {
+    /// What lies below is looked at first and leaves something for what lies above.
     fn is_good(&mut self, at: f64) -> bool {
-        (self.good)(self.base, at)
+        (self.good)(self.base, at, at < self.value)
     }
 
     fn find(mut self) -> Vec<(Option<f64>, Option<f64>)> {

@@ -28,7 +28,7 @@ mod transport;
 mod words;
 
 pub use changes::{Change, Changes};
-pub use constants::{Names, Tunable, tunables};
+pub use constants::{Names, Tunable, Tuner, tunables};
 pub use measure::Score;
 pub use neighbourhood::Neighbourhood;
 pub use problem::{Problem, Ran, Unfit};

@@ -4,6 +4,7 @@ use super::client::Client;
 use super::diagnostics::Report;
 use super::document::{self, Document, Role};
 use super::lookout::Lookout;
+use super::progress::Task;
 use super::run::Outcome;
 use super::settings::{self, Settings};
 use super::shared::{Latest, Shared};
@@ -11,7 +12,7 @@ use super::state::{Key, State};
 use super::watch::Ask;
 use super::{actions, watch};
 use crate::check::finding::Source;
-use crate::repair::Watch;
+use crate::repair::{self, Watch};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -223,7 +224,7 @@ impl LanguageServer for Backend {
         let uri = params.text_document.uri;
         let outcome = self.latest(&uri)?;
         let Some((latest, client)) = outcome else { return Ok(full(None, None)) };
-        let outcome = latest.wait().await.ok_or_else(Error::internal_error)?;
+        let outcome = latest.wait().await?;
         let report = outcome.report(&uri);
         let related = client.related_documents.then(|| related(&outcome, &uri)).flatten();
         Ok(match report {
@@ -334,7 +335,7 @@ impl LanguageServer for Backend {
 
     async fn code_action(&self, params: CodeActionParams) -> Result<Option<CodeActionResponse>> {
         let Some((latest, client)) = self.latest(&params.text_document.uri)? else { return Ok(None) };
-        let outcome = latest.wait().await.ok_or_else(Error::internal_error)?;
+        let outcome = latest.wait().await?;
         if outcome.main.text.uri.as_ref() != Some(&params.text_document.uri) {
             return Ok(None);
         }
@@ -353,8 +354,10 @@ impl LanguageServer for Backend {
         let (outcome, client) = self.as_it_was(&data.uri, data.version).await?;
         let study = self.shared.study(&outcome);
         let watch = self.shared.watch(&data.uri);
+        let task = Task { token: None, title: "Fixing layout errors", budget: repair::Settings::default().budget, watch: watch.clone() };
         let shared = watch.clone();
-        let found = self.thought(watch, move |_| actions::resolve(&study, &data, &shared)).await?;
+        let work = self.thought(watch, move |_| actions::resolve(&study, &data, &shared));
+        let found = self.followed(task, work).await?;
         let found = found.filter(|found| !found.edits.is_empty());
         let found = found.ok_or_else(|| failed("nothing was found that leaves fewer errors"))?;
         let text = &outcome.main.text;
@@ -387,7 +390,7 @@ impl Backend {
     /// What there is to say about a version of a document, if that is still the newest.
     pub(super) async fn as_it_was(&self, uri: &Uri, version: Option<i32>) -> Result<(Arc<Outcome>, Client)> {
         let Some((latest, client)) = self.latest(uri)? else { return Err(not_open()) };
-        let outcome = latest.wait().await.ok_or_else(Error::internal_error)?;
+        let outcome = latest.wait().await?;
         let same = outcome.main.text.version == version && outcome.main.text.uri.as_ref() == Some(uri);
         if same { Ok((outcome, client)) } else { Err(Error::content_modified()) }
     }

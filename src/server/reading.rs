@@ -1,8 +1,10 @@
 //! What helps to read a program: hovers, hints between the words, lenses over the lines, colours of the words.
 
 use super::handlers::Backend;
+use super::shared::Latest;
 use super::view::{Snapshot, Wait};
 use crate::ide::{self, HintKind, LensKind, Token, TokenKind, Wanted};
+use crate::repair::Watch;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use ruff_text_size::TextRange;
@@ -34,7 +36,11 @@ impl Backend {
     pub(super) async fn show_hover(&self, params: HoverParams) -> Result<Option<Hover>> {
         let at = params.text_document_position_params;
         let Some(shot) = self.snapshot(&at.text_document.uri, Wait::Shortly).await? else { return Ok(None) };
-        let Some(hover) = ide::hover(&shot.view(), shot.offset(at.position)) else { return Ok(None) };
+        let Some(mut hover) = ide::hover(&shot.view(), shot.offset(at.position)) else { return Ok(None) };
+        if let Some(about) = self.about_constant(&shot, &hover).await {
+            hover.markdown.push_str("\n\n");
+            hover.markdown.push_str(&about);
+        }
         let contents = if shot.client.hover_markdown {
             let pictured = picture(&shot, &hover).await;
             MarkupContent { kind: MarkupKind::Markdown, value: format!("{}{pictured}", hover.markdown) }
@@ -42,6 +48,18 @@ impl Backend {
             MarkupContent { kind: MarkupKind::PlainText, value: plain(&hover.markdown) }
         };
         Ok(Some(Hover { contents: HoverContents::Markup(contents), range: Some(shot.range(hover.range)) }))
+    }
+
+    /// What a constant moves and where it has no errors; nothing about a text that is no more, or that cannot be run.
+    async fn about_constant(&self, shot: &Snapshot, hover: &ide::Hover) -> Option<String> {
+        let id = hover.constant?;
+        let (Latest::Now(outcome), _) = self.shared.latest(&shot.uri)? else { return None };
+        if !outcome.ran || *outcome.main.text.text != *shot.program.text {
+            return None;
+        }
+        let study = self.shared.study(&outcome);
+        let work = move |watch: &Watch| study.with_lab(watch, |lab| lab.about_constant(id).map(str::to_string)).flatten();
+        self.thought(self.shared.watch(&shot.uri), work).await.ok()?
     }
 
     pub(super) async fn show_hints(&self, params: InlayHintParams) -> Result<Option<Vec<InlayHint>>> {

@@ -2,17 +2,14 @@
 
 use super::actions::{annotated_edit, kinds_named, workspace_edit};
 use super::handlers::{Backend, failed};
-use super::progress::told;
+use super::progress::Task;
 use super::run::{Outcome, Text};
 use crate::ide::Search;
-use crate::repair::{Fix, Method, Problem, Settings, Watch, edit_titles};
+use crate::repair::{Fix, Method, Problem, Settings, edit_titles};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
 use tower_lsp_server::jsonrpc::{Error, Result};
-use tower_lsp_server::ls_types::{
-    ExecuteCommandParams, LSPAny, ProgressToken, Range, TextDocumentIdentifier, Uri, WorkDoneProgressCancelParams, WorkspaceEdit,
-};
+use tower_lsp_server::ls_types::{ExecuteCommandParams, LSPAny, ProgressToken, Range, TextDocumentIdentifier, Uri, WorkspaceEdit};
 
 /// The commands that are offered.
 pub(super) const COMMANDS: [&str; 2] = ["psdl.server.fixAll", "psdl.server.fixRange"];
@@ -120,18 +117,15 @@ impl Backend {
         let search = Search { title: String::new(), kinds, within };
         let study = self.shared.study(&outcome);
         let watch = self.shared.watch(uri);
-        if let Some(token) = &token {
-            self.shared.cancellable(token, &watch);
-        }
-        let budget = settings.budget;
-        let (shared, told_by) = (watch.clone(), watch.clone());
+        let task = Task { token, title: "Fixing layout errors", budget: settings.budget, watch: watch.clone() };
+        let shared = watch.clone();
         let work = self.thought(watch, move |watch| {
             let problem = study.with_lab(watch, |lab| lab.problem.clone())?;
             let plain = settings.method == Method::Guided && settings.max_edits == Settings::default().max_edits;
             let fix = if plain { study.fix(&search, &shared)? } else { Arc::new(study.fix_with(&search, settings, &shared)?) };
             Some((fix, problem))
         });
-        let found = told(&self.shared.output, token, "Fixing layout errors", budget, &told_by, work).await?;
+        let found = self.followed(task, work).await?;
         let (fix, problem) = found.ok_or_else(|| failed("the program cannot be run as it is"))?;
         Ok(Found { outcome, fix, problem })
     }
@@ -148,10 +142,7 @@ impl Backend {
             }
             _ => return Err(Error::invalid_params("there is no such command")),
         };
-        let token = match params.work_done_progress_params.work_done_token {
-            Some(token) => Some(token),
-            None => self.own_token().await,
-        };
+        let token = params.work_done_progress_params.work_done_token;
         let found = self.searched(&uri, range, &kinds.unwrap_or_default(), Settings::default(), token).await?;
         let (fix, text, client) = (&found.fix, &found.outcome.main.text, self.shared.state().client);
         if fix.edits.is_empty() {
@@ -162,41 +153,11 @@ impl Backend {
         Ok(serde_json::to_value(applied).ok())
     }
 
-    /// A token for progress that nobody asked for, where the client shows such.
-    async fn own_token(&self) -> Option<ProgressToken> {
-        let token = {
-            let mut state = self.shared.state();
-            let number = state.client.progress.then(|| state.number())?;
-            ProgressToken::String(format!("psdl/{number}"))
-        };
-        self.client.create_work_done_progress(token.clone()).await.ok().map(|()| token)
-    }
-
-    /// `window/workDoneProgress/cancel`
-    pub(super) async fn cancel_progress(&self, params: WorkDoneProgressCancelParams) {
-        self.shared.cancel_work(&params.token);
-    }
-
     /// What there is to say about a program: of an open document as it is now, else of the file.
     pub(super) async fn seen(&self, uri: &Uri) -> Result<(Arc<Outcome>, super::client::Client)> {
         let Some((latest, client)) = self.latest(uri)? else { return Err(Error::invalid_params("the document is no program")) };
-        let outcome = latest.wait().await.ok_or_else(Error::content_modified)?;
+        let outcome = latest.wait().await?;
         let same = |text: &Text| text.uri.as_ref() == Some(uri);
         if same(&outcome.main.text) { Ok((outcome, client)) } else { Err(Error::invalid_params("the document is no program")) }
-    }
-}
-
-impl super::shared::Shared {
-    /// Lets a client end work by the token of its progress.
-    fn cancellable(&self, token: &ProgressToken, watch: &Arc<Watch>) {
-        let mut state = self.state();
-        state.tokens.retain(|(_, known)| known.strong_count() > 0);
-        state.tokens.push((token.clone(), Arc::downgrade(watch)));
-    }
-
-    fn cancel_work(&self, token: &ProgressToken) {
-        let state = self.state();
-        let meant = state.tokens.iter().filter(|(known, _)| known == token);
-        meant.filter_map(|(_, watch)| watch.upgrade()).for_each(|watch| watch.cancelled.store(true, Ordering::Relaxed));
     }
 }

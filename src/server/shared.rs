@@ -16,6 +16,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
+use tower_lsp_server::jsonrpc::{Error, Result};
 use tower_lsp_server::ls_types::{LogTraceParams, TraceValue, Uri};
 
 /// Deep recursion is for the program's limits to end, not for the system.
@@ -40,7 +41,7 @@ pub(super) struct Shared {
 #[derive(Debug)]
 pub(super) enum Latest {
     Now(Arc<Outcome>),
-    Later(oneshot::Receiver<Arc<Outcome>>),
+    Later(oneshot::Receiver<Option<Arc<Outcome>>>),
 }
 
 impl std::fmt::Debug for Shared {
@@ -103,7 +104,9 @@ impl Shared {
             Err(_) => {
                 tracing::error!("a run panicked after {took:?}");
                 // Whoever waits learns that nothing will come.
-                state.units.get_mut(&key).into_iter().for_each(|unit| unit.waiting.clear());
+                for waiting in state.units.get_mut(&key).into_iter().flat_map(|unit| unit.waiting.drain(..)) {
+                    let _ = waiting.send(None);
+                }
             }
         }
         drop(state);
@@ -151,7 +154,7 @@ impl Shared {
         unit.latest = Some((wanted, outcome.clone()));
         for waiting in unit.waiting.drain(..) {
             // Who has gone needs no answer.
-            let _ = waiting.send(outcome.clone());
+            let _ = waiting.send(Some(outcome.clone()));
         }
         if !state.client.pulls {
             self.publish(state, &outcome);
@@ -245,11 +248,11 @@ impl Shared {
 }
 
 impl Latest {
-    /// Waits for it; `None` where nothing will come, because the document was closed or the run failed.
-    pub(super) async fn wait(self) -> Option<Arc<Outcome>> {
+    /// Waits for it. Nothing comes where the document was closed, which is as good as modified, or where the run failed.
+    pub(super) async fn wait(self) -> Result<Arc<Outcome>> {
         match self {
-            Latest::Now(outcome) => Some(outcome),
-            Latest::Later(receiver) => receiver.await.ok(),
+            Latest::Now(outcome) => Ok(outcome),
+            Latest::Later(receiver) => receiver.await.map_err(|_| Error::content_modified())?.ok_or_else(Error::internal_error),
         }
     }
 }
@@ -283,7 +286,7 @@ mod tests {
         let shared = shared(&["a"]);
         let Some((Latest::Later(mut waiting), _)) = shared.latest(&uri("a")) else { panic!("nothing ran yet") };
         shared.work_once(|_| panic!("on purpose"));
-        assert!(waiting.try_recv().is_err());
+        assert!(waiting.try_recv().unwrap().is_none());
         let key = Key::of(&uri("a"), None);
         shared.state().schedule(&key, true);
         shared.work_once(run::run);

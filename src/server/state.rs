@@ -47,9 +47,21 @@ pub(super) struct Unit {
     /// The scene of that run.
     pub scene: Option<Arc<Scene>>,
     /// Who waits for the next outcome.
-    pub waiting: Vec<oneshot::Sender<Arc<Outcome>>>,
+    pub waiting: Vec<Waiting>,
     /// Work for requests about the text as it is.
     pub asked: Vec<Weak<Watch>>,
+}
+
+/// One who waits for an outcome; gets `None` where the run failed.
+pub(super) type Waiting = oneshot::Sender<Option<Arc<Outcome>>>;
+
+/// Work that the client can end by the token of its progress.
+#[derive(Debug)]
+pub(super) struct Cancellable {
+    pub token: ProgressToken,
+    pub watch: Weak<Watch>,
+    /// The client has ended it.
+    pub ended: bool,
 }
 
 /// Everything.
@@ -65,7 +77,7 @@ pub(super) struct State {
     /// What was last published unasked about documents that are not programs.
     pub published: FxHashMap<Uri, (Option<i32>, String)>,
     /// Work that ends when its progress is cancelled.
-    pub tokens: Vec<(ProgressToken, Weak<Watch>)>,
+    pub tokens: Vec<Cancellable>,
     count: u64,
 }
 

@@ -120,7 +120,7 @@ impl Backend {
                 let _ = tokio::time::timeout(PATIENCE, latest.wait()).await;
             }
             (_, Some((latest, _))) => {
-                latest.wait().await.ok_or_else(Error::internal_error)?;
+                latest.wait().await?;
             }
             _ => {}
         }

@@ -91,7 +91,7 @@ impl Backend {
 
     async fn about_open(&self, uri: &Uri, known: &Known) -> Vec<WorkspaceDocumentDiagnosticReport> {
         let Some((latest, _)) = self.shared.latest(uri) else { return Vec::new() };
-        let Some(outcome) = latest.wait().await else { return Vec::new() };
+        let Ok(outcome) = latest.wait().await else { return Vec::new() };
         [&outcome.main].into_iter().chain(&outcome.template).filter_map(|report| item(report, known)).collect()
     }
 }

@@ -57,6 +57,23 @@ fn a_hover_tells_of_the_object() {
 }
 
 #[test]
+fn a_hover_over_a_constant_tells_what_it_moves_and_where_no_errors_are() {
+    let mut client = open_room();
+    let answer = client.request("textDocument/hover", at("untitled:room", ROOM, "gap=0.25"));
+    let text = result(&answer)["contents"]["value"].as_str().unwrap();
+    assert!(text.contains("moves 2 objects; for each +1:\n- `chairs[0]`, `chairs[1]`: y + 1 m"), "{text}");
+    assert!(text.contains("no value near is without errors") && text.contains("1 error now"), "{text}");
+    // The text has become another: the constant is told of as soon as that has been run.
+    let apart = ROOM.replace("0.5 * i", "1.5 * i");
+    client.change("untitled:room", 2, json!([{"text": apart}]));
+    client.diagnostics("untitled:room", 2);
+    let answer = client.request("textDocument/hover", at("untitled:room", &apart, "gap=0.25"));
+    let text = result(&answer)["contents"]["value"].as_str().unwrap();
+    assert!(text.contains("no errors from −0.01 to 2.0"), "{text}");
+    client.finish();
+}
+
+#[test]
 fn a_hover_has_a_picture_where_it_can_be_shown() {
     for (markdown, shown) in [(json!({"parser": "marked"}), true), (Value::Null, false)] {
         let mut capabilities = capabilities("utf-16");
