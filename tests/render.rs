@@ -224,6 +224,18 @@ fn render_writes_pictures_masks_and_films() {
         roxmltree::Document::parse(&svg).expect("well-formed SVG");
     }
 
+    // What cannot be read does not keep the others from being drawn; nothing is written over another program's picture.
+    let output = run(&["render", "a.psdl", "missing.psdl", "-o", "more"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("missing.psdl"));
+    assert!(at("more/a.png").is_file());
+    std::fs::create_dir(at("other")).expect("a folder");
+    std::fs::write(at("other/a.psdl"), TABLE).expect("a program");
+    let output = run(&["render", "a.psdl", "other/a.psdl", "-o", "both"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("would both be written to both/a.png"));
+    assert!(!at("both").exists());
+
     assert_eq!(code(&["render", "a.psdl", "--animate", "a.webp", "--size", "240x160"]), Some(0));
     let film = image_webp::WebPDecoder::new(std::io::Cursor::new(std::fs::read(at("a.webp")).expect("a film"))).expect("a film");
     assert!(film.is_animated() && film.num_frames() > 4);
@@ -232,6 +244,7 @@ fn render_writes_pictures_masks_and_films() {
         &["render", "a.psdl", "-o", "a.bmp"][..],
         &["render", "a.psdl"],
         &["render", "a.psdl", "b.psdl", "-o", "-"],
+        &["render", "a.psdl", "b.psdl", "-o", "c.png"],
         &["render", "a.psdl", "-o", "x.png", "--highlight", "nothing"],
         &["render", "a.psdl", "--animate", "a.avi"],
         &["render", "a.psdl", "-o", "x.png", "--size", "1x1"],

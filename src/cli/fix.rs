@@ -4,7 +4,7 @@ use super::Outcome;
 use super::args::{ConfigOptions, code_parser};
 use super::configuration::Configuration;
 use super::files::{self, Loaded, Program};
-use super::output::{self, Failure};
+use super::output::{self, Failure, counted};
 use crate::analysis::{Input, Options};
 use crate::check::ErrorKind;
 use crate::check::finding::Code;
@@ -278,10 +278,6 @@ impl Done {
             "seconds": self.seconds, "exceptions": self.exceptions, "written": written && !fix.edits.is_empty(),
         })
     }
-}
-
-fn counted(number: usize, noun: &str) -> String {
-    format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
 }
 
 /// The lines of a unified diff, without its head.

@@ -3,14 +3,15 @@
 use super::Outcome;
 use super::args::ConfigOptions;
 use super::configuration::Configuration;
-use super::files::{self, Loaded};
+use super::files::{self, Loaded, Program};
 use super::film;
-use super::output::{self, Failure};
+use super::output::{self, Failure, counted};
 use crate::analysis::{Analysis, Input, analyse};
 use crate::check::finding::Code;
 use crate::render::{Drawing, Labels, Options, Picture, SIZES, Theme, View, draw};
 use crate::report::{FileReport, Printer};
 use clap::{ValueEnum, ValueHint};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 /// `psdl render`
@@ -125,32 +126,56 @@ pub(super) fn render(args: &RenderArgs, color: bool) -> Result<Outcome, Failure>
     if args.animate.is_some() && programs.len() != 1 {
         return Err(Failure::new("--animate takes one program"));
     }
-    let target = Target::of(args, programs.len())?;
-    let mut outcome = Outcome::Clean;
+    let target = Target::of(args, &programs)?;
+    let (mut outcome, mut failed) = (Outcome::Clean, 0);
     for program in &programs {
-        let loaded = program.load();
-        let (text, template) = loaded.texts()?;
-        let options = configuration.options(program.path())?;
-        let input = Input { text, template: template.map(|(_, text)| text) };
-        let analysis = analyse(&input, &options, None);
-        if analysis.partial || analysis.layout.is_none() {
-            outcome = Outcome::Findings;
-            complain(&loaded, &analysis, color)?;
+        match render_one(args, program, &configuration, &target, color) {
+            Ok(Outcome::Clean) => {}
+            Ok(Outcome::Findings) => outcome = Outcome::Findings,
+            Err(failure) if programs.len() == 1 => return Err(failure),
+            Err(failure) => {
+                // The other programs are drawn all the same.
+                output::complain(&failure);
+                failed += 1;
+            }
         }
-        let Some(layout) = &analysis.layout else { continue };
-        let picture_options = args.options(&analysis)?;
-        if let Some(path) = &args.animate {
-            film::film(path, &input, &options, &picture_options)?;
-        }
-        let path = match &target {
-            Target::Nothing => continue,
-            Target::Stdout => None,
-            Target::File(path) => Some(path.clone()),
-            Target::Folder(folder) => Some(folder.join(name_in_folder(program.path(), args))),
-        };
-        let picture = Picture { layout, verdict: &analysis.verdict, rules: &options.rules };
-        write(args, &draw(&picture, &picture_options), path.as_deref())?;
     }
+    match failed {
+        0 => Ok(outcome),
+        _ => Err(Failure::new(format!("{} could not be drawn", counted(failed, "program")))),
+    }
+}
+
+fn render_one(
+    args: &RenderArgs,
+    program: &Program,
+    configuration: &Configuration,
+    target: &Target,
+    color: bool,
+) -> Result<Outcome, Failure> {
+    let loaded = program.load();
+    let (text, template) = loaded.texts()?;
+    let options = configuration.options(program.path())?;
+    let input = Input { text, template: template.map(|(_, text)| text) };
+    let analysis = analyse(&input, &options, None);
+    let mut outcome = Outcome::Clean;
+    if analysis.partial || analysis.layout.is_none() {
+        outcome = Outcome::Findings;
+        complain(&loaded, &analysis, color)?;
+    }
+    let Some(layout) = &analysis.layout else { return Ok(outcome) };
+    let picture_options = args.options(&analysis)?;
+    if let Some(path) = &args.animate {
+        film::film(path, &input, &options, &picture_options)?;
+    }
+    let path = match target {
+        Target::Nothing => return Ok(outcome),
+        Target::Stdout => None,
+        Target::File(path) => Some(path.clone()),
+        Target::Folder(folder) => Some(folder.join(name_in_folder(program.path(), args))),
+    };
+    let picture = Picture { layout, verdict: &analysis.verdict, rules: &options.rules };
+    write(args, &draw(&picture, &picture_options), path.as_deref())?;
     Ok(outcome)
 }
 
@@ -163,11 +188,12 @@ enum Target {
 }
 
 impl Target {
-    fn of(args: &RenderArgs, programs: usize) -> Result<Target, Failure> {
+    fn of(args: &RenderArgs, programs: &[Program]) -> Result<Target, Failure> {
         let Some(path) = &args.output else { return Ok(Target::Nothing) };
         let stdout = path.as_os_str() == "-";
-        if programs > 1 && (stdout || path.is_file()) {
-            return Err(Failure::new("several programs need a folder to write to"));
+        let picture = path.extension().is_some_and(|end| ["png", "svg"].iter().any(|known| end.eq_ignore_ascii_case(known)));
+        if programs.len() > 1 && (stdout || path.is_file() || picture && !path.is_dir()) {
+            return Err(Failure::new(format!("several programs need a folder to write to, and {} is none", path.display())));
         }
         if stdout && args.id_mask {
             return Err(Failure::new("--id-mask needs a file to write beside"));
@@ -175,12 +201,26 @@ impl Target {
         if stdout {
             return Ok(Target::Stdout);
         }
-        if programs == 1 && !path.is_dir() {
+        if programs.len() == 1 && !path.is_dir() {
             return Ok(Target::File(path.clone()));
         }
+        tell_apart(args, programs, path)?;
         std::fs::create_dir_all(path).map_err(|error| Failure::at(path, &error))?;
         Ok(Target::Folder(path.clone()))
     }
+}
+
+/// Whether each program has a picture of its own in a folder: none is written over another.
+fn tell_apart(args: &RenderArgs, programs: &[Program], folder: &Path) -> Result<(), Failure> {
+    let mut taken: HashMap<PathBuf, &Path> = HashMap::new();
+    for program in programs {
+        let name = name_in_folder(program.path(), args);
+        if let Some(other) = taken.insert(name.clone(), program.path()) {
+            let (one, two, path) = (other.display(), program.path().display(), folder.join(name));
+            return Err(Failure::new(format!("{one} and {two} would both be written to {}", path.display())));
+        }
+    }
+    Ok(())
 }
 
 /// `NAME.png` for `NAME.psdl`.
