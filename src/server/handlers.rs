@@ -15,6 +15,7 @@ use crate::check::finding::Source;
 use crate::repair::{self, Watch};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use tower_lsp_server::LanguageServer;
@@ -446,14 +447,17 @@ impl Backend {
     }
 
     /// Does what follows from files having become others.
-    fn files_changed(&self, mut state: std::sync::MutexGuard<'_, State>, paths: &[std::path::PathBuf]) {
+    fn files_changed(&self, mut state: std::sync::MutexGuard<'_, State>, paths: &[PathBuf]) {
+        // What is open counts as it is open: to save it changes nothing, and must not end the work on it.
+        let open = |path: &PathBuf| state.documents.values().any(|document| document.path.as_ref() == Some(path));
+        let paths: Vec<&PathBuf> = paths.iter().filter(|path| !open(path)).collect();
         let roles: Vec<Role> = paths.iter().map(|path| document::role(Some(path), "")).collect();
         if roles.contains(&Role::Config) {
             state.configure();
         } else {
             let keys: Vec<Key> = state.units.keys().cloned().collect();
             let reads = |key: &Key| match key {
-                Key::Path(program) => paths.iter().any(|path| **path == **program || *path == document::template_of(program)),
+                Key::Path(program) => paths.iter().any(|path| ***path == **program || **path == document::template_of(program)),
                 Key::Name(_) => false,
             };
             keys.iter().filter(|key| reads(key)).for_each(|key| state.schedule(key, false));

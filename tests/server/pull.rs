@@ -98,3 +98,21 @@ fn a_change_of_a_template_makes_the_client_ask_again() {
     nothing_came_unasked(&client);
     client.finish();
 }
+
+#[test]
+fn what_is_written_to_the_disk_changes_nothing_about_an_open_document() {
+    let folder = tempfile::tempdir().unwrap();
+    let program = folder.path().join("a.psdl");
+    let mut client = Client::start(pulling());
+    client.open(&uri(&program), 1, OVERLAP);
+    pull(&mut client, &uri(&program), &Value::Null);
+    // A correction is looked for when the editor tells of the file that it has saved.
+    let asked = client.ask("psdl/fix", json!({"textDocument": {"uri": uri(&program)}}));
+    std::fs::write(&program, OVERLAP).unwrap();
+    client.notify("workspace/didChangeWatchedFiles", json!({"changes": [{"uri": uri(&program), "type": 1}]}));
+    let answer = client.answer(&json!(asked));
+    assert!(answer["result"]["edits"].is_array(), "{answer}");
+    client.is_well();
+    assert!(client.unread.iter().all(|message| message["method"] != "workspace/diagnostic/refresh"), "{:?}", client.unread);
+    client.finish();
+}
