@@ -2,7 +2,9 @@
 
 use proptest::prelude::*;
 use psdl::analysis::{Analysis, Input, Options, analyse};
-use psdl::ide::{self, At, Program, Scene, TemplateText, View, Wanted};
+use psdl::check::finding::Code;
+use psdl::ide::{self, At, Ground, Program, RefactoringKind, Scene, Sidecar, TemplateText, View, Wanted};
+use psdl::repair::Problem;
 use psdl::scene::template::{self, Template};
 use psdl::syntax::scope::Role;
 use ruff_text_size::{TextRange, TextSize};
@@ -191,4 +193,56 @@ proptest! {
         let at = at.min(text.len() + 1);
         with_stack(move || ask(&text, None, None, [at, text.len()].into_iter()));
     }
+}
+
+/// How often a kind of finding is told.
+fn told(analysis: &Analysis, code: Code) -> usize {
+    analysis.findings.iter().filter(|finding| finding.code == code).count()
+}
+
+#[test]
+fn a_comment_that_hides_a_finding_hides_it_and_changes_nothing_else() {
+    with_stack(|| {
+        for (path, text, sidecar) in programs() {
+            let before = run(&text, sidecar.as_deref());
+            let program = Program::read(text.as_str().into());
+            for finding in before.findings.iter().step_by(3) {
+                let Some(edit) = ide::suppress(&text, &program.parsed, finding) else { continue };
+                let after = run(&applied(&text, &[edit]), sidecar.as_deref());
+                let what = format!("{}: {:?} at {:?}", path.display(), finding.code, finding.place.range);
+                assert!(told(&after, finding.code) < told(&before, finding.code), "{what}");
+                assert_eq!(told(&after, Code::UnusedSuppression), told(&before, Code::UnusedSuppression), "{what}");
+                assert_eq!(essence(&after).0, essence(&before).0, "{what}");
+            }
+        }
+    });
+}
+
+#[test]
+fn every_rewriting_keeps_the_scene() {
+    with_stack(|| {
+        let mut kinds = std::collections::BTreeSet::new();
+        for (path, text, sidecar) in programs() {
+            let before = essence(&run(&text, sidecar.as_deref())).0;
+            let Ok(problem) = Problem::new(&Input { text: &text, template: sidecar.as_deref() }, &Options::default()) else { continue };
+            let ground = Ground { problem: &problem, template: sidecar.as_deref(), has_place: true };
+            let tuning = problem.tuning();
+            let places = tuning.constants.iter().map(|found| found.range).chain(tuning.directions.iter().map(|found| found.range));
+            let places = places.chain(tuning.integers.iter().map(|found| found.range)).step_by(7);
+            for place in places.map(|range| range.start()).chain([TextSize::new(0)]) {
+                for found in ide::refactorings(&ground, TextRange::empty(place), &|_| true) {
+                    let outside = match &found.sidecar {
+                        None => sidecar.as_deref(),
+                        Some(Sidecar::Created(json)) => Some(json.as_str()),
+                        Some(Sidecar::Deleted) => None,
+                    };
+                    let after = applied(&text, &found.edits);
+                    assert_ne!(after, text, "{}: {}", path.display(), found.title);
+                    assert_eq!(essence(&run(&after, outside)).0, before, "{}: {}", path.display(), found.title);
+                    kinds.insert(found.kind.name());
+                }
+            }
+        }
+        assert_eq!(kinds.len(), RefactoringKind::ALL.len(), "{kinds:?}");
+    });
 }
