@@ -86,6 +86,46 @@ fn snippets_print_what_cpython_prints() {
     assert!(failures.is_empty(), "{} of {count} snippets differ\n{}", failures.len(), failures.join("\n"));
 }
 
+/// CPython's own stack overflows on some of these.
+#[test]
+fn natives_within_natives_end_in_a_recursion_error() {
+    let wrap = |start: &str, again: &str, end: &str| format!("x = {start}\nfor i in range(30000): x = {again}\n{end}\n");
+    let programs = [
+        wrap("iter([1])", "map(str, x)", "list(x)"),
+        wrap("iter([1])", "zip(x)", "list(x)"),
+        wrap("iter([1])", "filter(None, x)", "list(x)"),
+        wrap("iter([1])", "enumerate(x)", "list(x)"),
+        wrap("iter([1])", "map(next, [x])", "list(x)"),
+        wrap("iter([1])", "iter(x.__next__, 5)", "list(x)"),
+        format!("import itertools\n{}", wrap("iter([1])", "itertools.chain(x)", "list(x)")),
+        format!("import itertools\n{}", wrap("iter([1])", "itertools.islice(x, 5)", "list(x)")),
+        wrap("len", "staticmethod(x)", "x('')"),
+        wrap("len", "staticmethod(x)", "x.__name__"),
+        wrap("property()", "property(x)", "x.__isabstractmethod__"),
+    ];
+    for program in programs {
+        let found = run(&program);
+        assert!(found.starts_with("RecursionError: maximum recursion depth exceeded"), "{program}{found}");
+    }
+    // A view of a view is a view of what lies behind both.
+    let views = wrap("type.__dict__", "type(x)(x)", "print(len(x) > 0, len(list(x)) > 0)");
+    assert_eq!(run(&views), "True True\n");
+}
+
+/// Work that costs much costs many steps, so that a run ends in time whatever it does.
+#[test]
+fn costly_work_ends_at_the_limit() {
+    for program in [
+        "d = {}\nfor i in range(10**6): d[i * (2**61 - 1)] = 1",
+        "d = {}\nwhile True: d[float('nan')] = 1",
+        "a = dict.fromkeys(range(10**5))\nwhile True: a.copy()",
+        "import math\na = 1\nfor i in range(1, 10**7): a = math.lcm(a, i)",
+    ] {
+        let found = run(program);
+        assert!(found.starts_with("stopped: Steps") || found.starts_with("MemoryError"), "{program}\n{found}");
+    }
+}
+
 #[test]
 fn assert_based_test_files_pass() {
     let Ok(folder) = std::env::var("PSDL_PYTHON_TESTS") else { return };

@@ -84,6 +84,10 @@ builtins! {
     SetIterator = "set_iterator", [Object], Sealed, types::iterator::METHODS;
     CallableIterator = "callable_iterator", [Object], Sealed, types::iterator::METHODS;
     SequenceIterator = "iterator", [Object], Sealed, types::iterator::METHODS;
+    MemberDescriptor = "member_descriptor", [Object], Sealed, types::member::METHODS;
+    SlotWrapper = "wrapper_descriptor", [Object], Sealed, types::function::NATIVE;
+    MethodWrapper = "method-wrapper", [Object], Sealed, types::function::NATIVE;
+    GetSet = "getset_descriptor", [Object], Sealed, types::function::GETSET;
     Traceback = "traceback", [Object], Sealed, &[];
     CodeObject = "code", [Object], Sealed, &[];
     ToolAccumulate = "itertools.accumulate", [Object], Sealed, types::iterator::METHODS;
@@ -151,7 +155,7 @@ builtins! {
     RuntimeError = "RuntimeError", [Exception], Exception, &[];
     NotImplementedError = "NotImplementedError", [RuntimeError], Exception, &[];
     RecursionError = "RecursionError", [RuntimeError], Exception, &[];
-    SyntaxError = "SyntaxError", [Exception], Exception, &[];
+    SyntaxError = "SyntaxError", [Exception], Exception, types::exception::SYNTAX_ERROR;
     IndentationError = "IndentationError", [SyntaxError], Exception, &[];
     TabError = "TabError", [IndentationError], Exception, &[];
     SystemError = "SystemError", [Exception], Exception, &[];
@@ -195,6 +199,12 @@ impl Builtin {
     /// The name of a builtin class with its module, where that is not `builtins`: `types.UnionType`.
     pub fn full_name(class: Ref<Class>) -> Option<&'static str> {
         ROWS.get(class.index() as usize).map(|row| row.name)
+    }
+
+    /// The builtin class in whose table a native function stands.
+    pub fn owner(native: &'static Native) -> Option<Builtin> {
+        let place = ROWS.iter().position(|row| row.natives.as_ptr_range().contains(&std::ptr::from_ref(native)))?;
+        ALL.get(place).copied()
     }
 
     /// The builtin class of this name that programs reach without an import.

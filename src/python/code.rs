@@ -4,6 +4,7 @@ use num_bigint::BigInt;
 use ruff_text_size::TextRange;
 
 use super::value::{BinaryOp, CompareOp, UnaryOp};
+use crate::syntax::LineIndex;
 pub use crate::syntax::{ConstantId, DirectionId};
 
 /// A code object within a run.
@@ -392,4 +393,6 @@ pub struct Program {
     pub globals: Vec<Box<str>>,
     /// The statements of the module.
     pub statements: Vec<TopStatement>,
+    /// Where the lines of its text begin.
+    pub lines: LineIndex,
 }

@@ -346,6 +346,7 @@ impl Stored for Module {
     fn children(&self, out: &mut Vec<Value>) {
         out.push(self.name);
         out.extend_from_slice(&self.slots);
+        out.extend(self.dict.map(Value::Dict));
     }
 }
 

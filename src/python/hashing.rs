@@ -305,15 +305,21 @@ impl Vm<'_> {
     where
         Heap: IndexMut<Ref<T>> + Index<Ref<T>, Output = T>,
     {
-        let (heap, mut unsure) = (&self.heap, false);
-        let found = heap[of].table().find(hash as u64, |k| match (k, key) {
-            (Value::Str(x), Value::Str(y)) => same_text(heap, x, y),
-            (Value::Int(x, _), Value::Int(y, _)) => x == y,
-            _ => same_key(heap, k, key, SHALLOW).unwrap_or_else(|| {
-                unsure = true;
-                false
-            }),
+        let (heap, mut unsure, mut probes) = (&self.heap, false, 0u64);
+        let found = heap[of].table().find(hash as u64, |k| {
+            probes += 1;
+            match (k, key) {
+                (Value::Str(x), Value::Str(y)) => same_text(heap, x, y),
+                (Value::Int(x, _), Value::Int(y, _)) => x == y,
+                _ => same_key(heap, k, key, SHALLOW).unwrap_or_else(|| {
+                    unsure = true;
+                    false
+                }),
+            }
         });
+        if probes > 8 {
+            self.charge(probes * 4)?;
+        }
         if found.is_some() || !unsure {
             return Ok(found);
         }
@@ -366,7 +372,10 @@ impl Vm<'_> {
         if grown > 0 {
             self.heap.bytes += grown;
             if grown > LARGE {
-                self.reserve(0)?;
+                // The table was built anew: each entry went to another place.
+                self.reserve(grown)?;
+                let entries = self.heap[of].table().len() as u64;
+                self.charge(entries * 4)?;
             }
         }
         Ok(())

@@ -341,6 +341,8 @@ pub struct Module {
     pub names: Vec<Symbol>,
     /// The slot of each name.
     pub index: FxHashMap<Symbol, u32>,
+    /// What `globals()` gave: a name that a program adds there becomes a variable when it is first asked for.
+    pub dict: Option<Ref<Dict>>,
 }
 
 /// A captured variable.

@@ -107,6 +107,13 @@ pub enum IterState {
 }
 
 impl IterState {
+    /// Whether it asks another iterator, or calls something, for its items.
+    #[inline]
+    pub fn is_composed(&self) -> bool {
+        use IterState::*;
+        matches!(self, Enumerate { .. } | Zip { .. } | Map { .. } | Filter { .. } | Call { .. } | Sequence { .. } | Tool(_))
+    }
+
     /// Lets go of everything: there is no next item any more.
     pub fn finish(&mut self) {
         *self = IterState::Done(self.class());

@@ -162,6 +162,15 @@ impl Vm<'_> {
         Ok(None)
     }
 
+    /// The next item of an iterator within another: as deep as the program nested them, RecursionError in place of an overflow.
+    #[inline]
+    pub(super) fn next_inner(&mut self, iter: Value) -> R<Option<Value>> {
+        match iter {
+            Value::Iter(r) if self.heap[r].0.is_composed() => self.nested("", |vm| vm.next(iter)),
+            _ => self.next(iter),
+        }
+    }
+
     fn next_of_dict(&mut self, r: Ref<Iter>) -> R<Option<Value>> {
         let (dict, kind, from, len, back) = match self.heap[r].0 {
             IterState::Dict { dict, kind, position, len } => (dict, kind, position, len, false),
@@ -196,7 +205,7 @@ impl Vm<'_> {
     }
 
     fn next_enumerated(&mut self, r: Ref<Iter>, iter: Value, count: Value) -> R<Option<Value>> {
-        let Some(item) = self.next(iter)? else { return Ok(None) };
+        let Some(item) = self.next_inner(iter)? else { return Ok(None) };
         let following = match count {
             Value::Int(n, h) if h.is_none() && n < i64::MAX => Value::int(n + 1),
             _ => self.binary(BinaryOp::Add, count, Value::int(1))?,
@@ -217,7 +226,7 @@ impl Vm<'_> {
                 },
                 _ => return Ok(None),
             };
-            match self.next(iter)? {
+            match self.next_inner(iter)? {
                 Some(item) => row.push(item),
                 None if strict => return self.zip_ends(r, row.len()),
                 None => return Ok(None),
@@ -235,7 +244,7 @@ impl Vm<'_> {
         let mut i = 1;
         while let IterState::Zip { iters, .. } = &self.heap[r].0 {
             let Some(&iter) = iters.get(i) else { break };
-            if self.next(iter)?.is_some() {
+            if self.next_inner(iter)?.is_some() {
                 return Err(self.value_error(format!("zip() argument {} is longer than argument{}", i + 1, plural(i))));
             }
             i += 1;
@@ -288,7 +297,7 @@ impl Vm<'_> {
             IterState::Map { .. } => return self.next_mapped(r),
             IterState::Filter { function, iter } => {
                 let (function, iter) = (*function, *iter);
-                while let Some(item) = self.next(iter)? {
+                while let Some(item) = self.next_inner(iter)? {
                     self.charge(1)?;
                     let kept = match function {
                         Value::None => self.truth(item)?,
@@ -342,7 +351,7 @@ impl Vm<'_> {
                 _ => return Ok(None),
             };
             let Some(iter) = iter else { return self.call(function, &row).map(Some) };
-            match self.next(iter)? {
+            match self.next_inner(iter)? {
                 Some(item) => row.push(item),
                 None => return Ok(None),
             }

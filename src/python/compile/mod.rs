@@ -83,7 +83,8 @@ pub fn compile(module: &ast::ModModule, text: &str, scopes: &Scopes, tuning: &Tu
     let unit = std::mem::replace(&mut compiler.unit, Unit::new(ScopeId::MODULE, CodeKind::Module, 0));
     compiler.finish(unit, "<module>".into(), "<module>".into());
     let codes = compiler.codes.into_iter().flatten().collect();
-    Ok(Program { codes, globals: compiler.globals, statements: compiler.statements })
+    let lines = crate::syntax::LineIndex::new(text);
+    Ok(Program { codes, globals: compiler.globals, statements: compiler.statements, lines })
 }
 
 /// A code object under construction, and what surrounds the place where the compiler is.

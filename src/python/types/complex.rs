@@ -1,6 +1,7 @@
 //! `complex`: its constructor and methods.
 
 use super::number::{self, COMPLEX, this};
+use crate::python::classes::Builtin;
 use crate::python::error::R;
 use crate::python::heap::Complex;
 use crate::python::native::{ANY, Args, Native};
@@ -118,7 +119,7 @@ fn conjugate(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 
 /// Methods of `complex`.
 pub const METHODS: &[Native] = &[
-    Native::static_method("__new__", 1, ANY, super::object::new).keywords(),
+    Native::static_method("__new__", 1, ANY, |vm, a| super::object::new_builtin(vm, a, Builtin::Complex)).keywords(),
     Native::getter("real", real),
     Native::getter("imag", imag),
     Native::method("conjugate", 0, 0, conjugate),

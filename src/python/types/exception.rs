@@ -10,10 +10,13 @@ use crate::python::vm::Vm;
 
 /// `BaseException`
 pub const METHODS: &[Native] = &[
-    Native::raw("__init__", 0, ANY, init),
+    Native::raw("__init__", 0, ANY, init).keywords(),
     Native::raw("__str__", 0, 0, str),
     Native::raw("__repr__", 0, 0, repr),
     Native::raw("with_traceback", 1, 1, |vm, a| {
+        if !a.at(1).is_none() && vm.class_of(a.at(1)) != Builtin::Traceback.class() {
+            return Err(vm.type_error("__traceback__ must be a traceback or None"));
+        }
         if a.at(1).is_none()
             && let Some(data) = vm.heap.exception_data_mut(a.at(0))
         {
@@ -61,7 +64,47 @@ pub const ATTRIBUTE_ERROR: &[Native] = &[Native::raw("__init__", 0, ANY, init_wi
 pub const NAME_ERROR: &[Native] = &[Native::raw("__init__", 0, ANY, init_with_fields).keywords()];
 
 /// `ImportError(…, name=, path=)`
-pub const IMPORT_ERROR: &[Native] = &[Native::raw("__init__", 0, ANY, init_with_fields).keywords()];
+pub const IMPORT_ERROR: &[Native] = &[
+    Native::raw("__init__", 0, ANY, init_with_fields).keywords(),
+    Native::getter("msg", |vm, a| {
+        let args = arguments(vm, a.at(0));
+        Ok(if args.len() == 1 { args[0] } else { Value::None })
+    }),
+];
+
+/// `SyntaxError(message, (file, line, offset, text, end line, end offset))`
+pub const SYNTAX_ERROR: &[Native] = &[
+    Native::getter("msg", |vm, a| Ok(arguments(vm, a.at(0)).first().copied().unwrap_or(Value::None))),
+    Native::getter("filename", |vm, a| Ok(syntax_part(vm, a, 0))),
+    Native::getter("lineno", |vm, a| Ok(syntax_part(vm, a, 1))),
+    Native::getter("offset", |vm, a| Ok(syntax_part(vm, a, 2))),
+    Native::getter("text", |vm, a| Ok(syntax_part(vm, a, 3))),
+    Native::getter("end_lineno", |vm, a| Ok(syntax_part(vm, a, 4))),
+    Native::getter("end_offset", |vm, a| Ok(syntax_part(vm, a, 5))),
+    Native::raw("__str__", 0, 0, |vm, a| {
+        let message = arguments(vm, a.at(0)).first().copied();
+        let mut text = match message {
+            Some(message) => vm.str(message)?,
+            None => vm.str(Value::None)?,
+        };
+        let (file, line) = (syntax_part(vm, a, 0), syntax_part(vm, a, 1));
+        match (file, line) {
+            (Value::Str(file), Value::Int(line, _)) => text.push_str(&format!(" ({}, line {line})", vm.heap[file].text)),
+            (Value::Str(file), _) => text.push_str(&format!(" ({})", vm.heap[file].text)),
+            (_, Value::Int(line, _)) => text.push_str(&format!(" (line {line})")),
+            _ => {}
+        }
+        Ok(vm.new_str(text))
+    }),
+];
+
+fn syntax_part(vm: &mut Vm<'_>, args: Args<'_>, part: usize) -> Value {
+    let place = arguments(vm, args.at(0)).get(1).copied();
+    match place {
+        Some(Value::Tuple(t)) => vm.heap[t].0.get(part).copied().unwrap_or(Value::None),
+        _ => Value::None,
+    }
+}
 
 /// `OSError(errno, strerror)`
 pub const OS_ERROR: &[Native] = &[
@@ -121,6 +164,14 @@ fn arguments(vm: &Vm<'_>, exception: Value) -> Vec<Value> {
 }
 
 fn init(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
+    if !args.kw.is_empty() {
+        let class = vm.type_name(args.at(0));
+        return Err(vm.type_error(format!("{class}() takes no keyword arguments")));
+    }
+    set_args(vm, args)
+}
+
+fn set_args(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     let tuple = vm.new_tuple(&args.pos[1..]);
     if let Some(data) = vm.heap.exception_data_mut(args.at(0)) {
         data.args = tuple;
@@ -129,7 +180,8 @@ fn init(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 }
 
 fn init_with_fields(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
-    init(vm, args)?;
+    set_args(vm, args)?;
+    let is_import = vm.is_instance(args.at(0), Builtin::ImportError);
     for &(name, value) in args.kw {
         if !matches!(name, sym::N_NAME | sym::N_OBJ | sym::N_PATH) {
             let class = vm.type_name(args.at(0));
@@ -138,7 +190,7 @@ fn init_with_fields(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
         }
         vm.set_own_attr(args.at(0), name, value);
     }
-    for name in [sym::N_NAME, sym::N_OBJ] {
+    for name in if is_import { [sym::N_NAME, sym::N_PATH] } else { [sym::N_NAME, sym::N_OBJ] } {
         if let Value::Instance(i) = args.at(0)
             && vm.own_attr(i, name).is_none()
         {

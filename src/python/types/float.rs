@@ -232,7 +232,7 @@ fn parse_hex(text: &str) -> Option<f64> {
 
 /// Methods of `float`.
 pub const METHODS: &[Native] = &[
-    Native::static_method("__new__", 1, ANY, super::object::new).keywords(),
+    Native::static_method("__new__", 1, ANY, |vm, a| super::object::new_builtin(vm, a, Builtin::Float)).keywords(),
     Native::method("is_integer", 0, 0, is_integer),
     Native::method("as_integer_ratio", 0, 0, as_integer_ratio),
     Native::method("hex", 0, 0, hex),

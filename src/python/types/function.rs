@@ -49,6 +49,14 @@ pub const GENERATOR: &[Native] = &[
     Native::raw("send", 1, 1, |vm, a| vm.generator_send(a.at(0), a.at(1))),
     Native::raw("throw", 1, 3, |vm, a| vm.generator_throw(a)),
     Native::raw("close", 0, 0, |vm, a| vm.generator_close(a.at(0))),
+    Native::getter("gi_code", |vm, a| vm.code_object(a.at(0))),
+    Native::getter("gi_suspended", |vm, a| {
+        Ok(Value::Bool(match a.at(0) {
+            Value::Generator(g) => vm.heap[g].frame.is_some() && vm.heap[g].started && !vm.heap[g].running,
+            _ => false,
+        }))
+    }),
+    Native::getter("gi_yieldfrom", |vm, a| Ok(vm.generator_waits_for(a.at(0)))),
     Native::getter("gi_running", |vm, a| {
         Ok(Value::Bool(match a.at(0) {
             Value::Generator(g) => vm.heap[g].running,
@@ -72,6 +80,14 @@ pub const PROPERTY: &[Native] = &[
     Native::getter("fset", |vm, a| Ok(part(vm, a).set)),
     Native::getter("fdel", |vm, a| Ok(part(vm, a).delete)),
     Native::getter("__doc__", |vm, a| Ok(part(vm, a).doc)),
+    Native::getter("__isabstractmethod__", is_abstract),
+    Native::method("__delete__", 1, 1, |vm, a| {
+        let delete = part(vm, a).delete;
+        if delete.is_none() {
+            return Err(vm.error(Builtin::AttributeError, "property has no deleter".to_string()));
+        }
+        vm.call(delete, &[a.at(1)])
+    }),
     Native::method("__get__", 1, 2, |vm, a| {
         let object = a.at(1);
         if object.is_none() {
@@ -90,12 +106,32 @@ pub const PROPERTY: &[Native] = &[
 ];
 
 /// `classmethod`
-pub const CLASS_METHOD: &[Native] =
-    &[Native::getter("__func__", wrapped), Native::getter("__wrapped__", wrapped), Native::raw("__get__", 1, 2, get)];
+pub const CLASS_METHOD: &[Native] = &[
+    Native::getter("__func__", wrapped),
+    Native::getter("__wrapped__", wrapped),
+    Native::raw("__get__", 1, 2, get),
+    Native::getter("__name__", |vm, a| of_wrapped(vm, a, sym::NAME)),
+    Native::getter("__qualname__", |vm, a| of_wrapped(vm, a, sym::QUALNAME)),
+    Native::getter("__module__", |vm, a| of_wrapped(vm, a, sym::MODULE)),
+    Native::getter("__doc__", |vm, a| of_wrapped(vm, a, sym::DOC)),
+    Native::getter("__isabstractmethod__", is_abstract),
+];
 
 /// `staticmethod`
-pub const STATIC_METHOD: &[Native] =
-    &[Native::getter("__func__", wrapped), Native::getter("__wrapped__", wrapped), Native::raw("__get__", 1, 2, get)];
+pub const STATIC_METHOD: &[Native] = &[
+    Native::getter("__func__", wrapped),
+    Native::getter("__wrapped__", wrapped),
+    Native::raw("__get__", 1, 2, get),
+    Native::raw("__call__", 0, crate::python::native::ANY, call).keywords(),
+    Native::getter("__name__", |vm, a| of_wrapped(vm, a, sym::NAME)),
+    Native::getter("__qualname__", |vm, a| of_wrapped(vm, a, sym::QUALNAME)),
+    Native::getter("__module__", |vm, a| of_wrapped(vm, a, sym::MODULE)),
+    Native::getter("__doc__", |vm, a| of_wrapped(vm, a, sym::DOC)),
+    Native::getter("__isabstractmethod__", is_abstract),
+];
+
+/// Computed attributes of builtin types (`int.real`).
+pub const GETSET: &[Native] = &[Native::raw("__get__", 1, 2, get)];
 
 /// The cells of `f.__closure__`.
 pub const CELL: &[Native] = &[Native::getter("cell_contents", |vm, a| match a.at(0) {
@@ -133,6 +169,22 @@ fn wrapped(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     })
 }
 
+/// An attribute of the function that a class method or static method is around.
+fn of_wrapped(vm: &mut Vm<'_>, args: Args<'_>, name: crate::python::value::Symbol) -> R<Value> {
+    let inner = wrapped(vm, args)?;
+    vm.nested("", |vm| vm.get_attr(inner, name))
+}
+
+fn is_abstract(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
+    let inner = match args.at(0) {
+        Value::Property(p) => vm.heap[p].get,
+        _ => wrapped(vm, args)?,
+    };
+    let name = vm.symbols.intern("__isabstractmethod__");
+    let said = vm.nested("", |vm| vm.get_attr_opt(inner, name))?.unwrap_or(Value::Bool(false));
+    vm.truth(said).map(Value::Bool)
+}
+
 fn part(vm: &Vm<'_>, args: Args<'_>) -> Property {
     match args.at(0) {
         Value::Property(p) => vm.heap[p],
@@ -159,16 +211,25 @@ pub fn construct_property(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     Ok(Value::Property(vm.heap.alloc(property)))
 }
 
+/// The one argument of a constructor.
+fn only(vm: &mut Vm<'_>, class: &str, args: Args<'_>) -> R<Value> {
+    match (args.pos, args.kw) {
+        (&[function], []) => Ok(function),
+        (_, [_, ..]) => Err(vm.type_error(format!("{class}() takes no keyword arguments"))),
+        _ => Err(vm.type_error(format!("{class} expected 1 argument, got {}", args.pos.len()))),
+    }
+}
+
 /// `classmethod(f)`
 pub fn construct_class_method(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
-    let [function] = vm.bind("classmethod", args, ["function"], 1)?;
-    Ok(Value::ClassMethod(vm.heap.alloc(Wrapped(function.unwrap_or(Value::None)))))
+    let function = only(vm, "classmethod", args)?;
+    Ok(Value::ClassMethod(vm.heap.alloc(Wrapped(function))))
 }
 
 /// `staticmethod(f)`
 pub fn construct_static_method(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
-    let [function] = vm.bind("staticmethod", args, ["function"], 1)?;
-    Ok(Value::StaticMethod(vm.heap.alloc(Wrapped(function.unwrap_or(Value::None)))))
+    let function = only(vm, "staticmethod", args)?;
+    Ok(Value::StaticMethod(vm.heap.alloc(Wrapped(function))))
 }
 
 /// `types.MethodType(function, object)`
@@ -186,6 +247,9 @@ pub fn construct_super(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
         let message = format!("super() argument 1 must be a type, not {}", vm.type_name(class));
         return Err(vm.type_error(message));
     };
+    if args.pos.len() == 1 {
+        return Ok(Value::Super(vm.heap.alloc(Super { class, object: Value::Undefined, object_class: class })));
+    }
     let own = vm.class_of(object);
     let object_class = match object {
         Value::Class(c) if vm.is_subclass(c, class) => c,

@@ -233,7 +233,7 @@ fn from_bytes(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 
 /// Methods of `int`.
 pub const METHODS: &[Native] = &[
-    Native::static_method("__new__", 1, ANY, super::object::new).keywords(),
+    Native::static_method("__new__", 1, ANY, |vm, a| super::object::new_builtin(vm, a, Builtin::Int)).keywords(),
     Native::method("bit_length", 0, 0, bit_length),
     Native::method("bit_count", 0, 0, bit_count),
     Native::method("to_bytes", 0, ANY, to_bytes).keywords(),

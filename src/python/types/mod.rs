@@ -10,6 +10,7 @@ pub mod function;
 pub mod int;
 pub mod iterator;
 pub mod list;
+pub mod member;
 pub mod number;
 pub mod object;
 pub mod range;

@@ -112,6 +112,27 @@ pub(super) fn new(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
         let message = format!("object.__new__(X): X is not a type object ({})", vm.type_name(first));
         return Err(vm.type_error(message));
     };
+    let layout = vm.heap[class].layout;
+    if matches!(layout, Layout::Int | Layout::Float | Layout::Complex | Layout::Str | Layout::Tuple | Layout::List | Layout::Dict) {
+        let builtin = vm.heap[class].mro.iter().copied().find(|c| vm.heap[*c].builtin).unwrap_or(class);
+        let (name, wanted) = (vm.class_name(class), vm.class_name(builtin));
+        return Err(vm.type_error(format!("object.__new__({name}) is not safe, use {wanted}.__new__()")));
+    }
+    vm.default_new(class, Args { pos: &args.pos[1..], kw: args.kw })
+}
+
+/// `int.__new__(cls, ...)` and its like.
+pub(super) fn new_builtin(vm: &mut Vm<'_>, args: Args<'_>, owner: Builtin) -> R<Value> {
+    let name = owner.name();
+    let Some(first) = args.get(0) else { return Err(vm.type_error(format!("{name}.__new__(): not enough arguments"))) };
+    let Value::Class(class) = first else {
+        let message = format!("{name}.__new__(X): X is not a type object ({})", vm.type_name(first));
+        return Err(vm.type_error(message));
+    };
+    if !vm.is_subclass(class, owner.class()) {
+        let given = vm.class_name(class);
+        return Err(vm.type_error(format!("{name}.__new__({given}): {given} is not a subtype of {name}")));
+    }
     vm.default_new(class, Args { pos: &args.pos[1..], kw: args.kw })
 }
 
@@ -119,6 +140,10 @@ fn new_type(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     let Value::Class(meta) = args.at(0) else { return Err(vm.type_error("type.__new__(X): X is not a type object")) };
     if args.pos.len() == 2 {
         return Ok(Value::Class(vm.class_of(args.at(1))));
+    }
+    if args.pos.len() == 4 && !matches!(vm.plain(args.at(2)), Value::Tuple(_)) {
+        let message = format!("type.__new__() argument 2 must be tuple, not {}", vm.type_name(args.at(2)));
+        return Err(vm.type_error(message));
     }
     if args.pos.len() != 4 {
         return Err(vm.type_error("type.__new__() takes exactly 3 arguments"));
@@ -130,6 +155,10 @@ fn new_type(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 pub fn construct_type(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     match args.pos.len() {
         1 if args.kw.is_empty() => Ok(Value::Class(vm.class_of(args.at(0)))),
+        3 if !matches!(vm.plain(args.at(1)), Value::Tuple(_)) => {
+            let message = format!("type.__new__() argument 2 must be tuple, not {}", vm.type_name(args.at(1)));
+            Err(vm.type_error(message))
+        }
         3 => vm.new_class(Builtin::Type.class(), args.at(0), args.at(1), args.at(2), args.kw),
         _ => Err(vm.type_error("type() takes 1 or 3 arguments")),
     }

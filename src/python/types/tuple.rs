@@ -1,6 +1,7 @@
 //! `tuple`: its constructor, operators and methods.
 
 use super::containers;
+use crate::python::classes::Builtin;
 use crate::python::error::R;
 use crate::python::heap::*;
 use crate::python::iterate::VALUE;
@@ -73,7 +74,7 @@ fn count(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 
 /// Methods of `tuple`.
 pub const METHODS: &[Native] = &[
-    Native::static_method("__new__", 1, ANY, super::object::new).keywords(),
+    Native::static_method("__new__", 1, ANY, |vm, a| super::object::new_builtin(vm, a, Builtin::Tuple)).keywords(),
     Native::method("index", 1, 3, index),
     Native::method("count", 1, 1, count),
     Native::method("__len__", 0, 0, containers::method_len),

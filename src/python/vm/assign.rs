@@ -14,6 +14,37 @@ pub(super) fn is_default(hook: Value, name: &str) -> bool {
     matches!(hook, Value::Native(native) if native.name == name)
 }
 
+/// Whether a method of a builtin type fills a slot of it in CPython: such methods call themselves slot wrappers.
+pub(super) fn is_slot(name: &str) -> bool {
+    const METHODS: &[&str] = &[
+        "__format__",
+        "__reversed__",
+        "__sizeof__",
+        "__dir__",
+        "__round__",
+        "__trunc__",
+        "__floor__",
+        "__ceil__",
+        "__getnewargs__",
+        "__length_hint__",
+        "__subclasses__",
+        "__instancecheck__",
+        "__subclasscheck__",
+        "__prepare__",
+        "__complex__",
+        "__bytes__",
+        "__class_getitem__",
+        "__mro_entries__",
+        "__setstate__",
+        "__reduce__",
+        "__reduce_ex__",
+        "__getstate__",
+        "__copy__",
+        "__missing__",
+    ];
+    name.starts_with("__") && !METHODS.contains(&name)
+}
+
 impl Vm<'_> {
     /// `o.name = value`
     pub fn set_attr(&mut self, object: Value, name: Symbol, value: Value) -> R<()> {
@@ -56,6 +87,11 @@ impl Vm<'_> {
         let text = self.symbols.text(name).to_string();
         let type_name = self.type_name(object);
         let message = match self.class_attr(class, name) {
+            Some(Value::Native(n))
+                if n.kind == NativeKind::Getter && matches!(object, Value::Slice(_) | Value::Range(_) | Value::Complex(_)) =>
+            {
+                "readonly attribute".to_string()
+            }
             Some(Value::Native(n)) if n.kind == NativeKind::Getter => {
                 format!("attribute '{text}' of '{type_name}' objects is not writable")
             }
@@ -117,7 +153,7 @@ impl Vm<'_> {
     }
 
     #[inline]
-    fn store_own(&mut self, i: Ref<Instance>, name: Symbol, value: Value) -> R<()> {
+    pub(crate) fn store_own(&mut self, i: Ref<Instance>, name: Symbol, value: Value) -> R<()> {
         match &mut self.heap[i].attrs {
             Attrs::Inline(items) => {
                 if let Some(pair) = items.iter_mut().find(|p| p.0 == name) {
@@ -145,7 +181,15 @@ impl Vm<'_> {
                 self.heap[i].class = c;
                 Ok(())
             }
-            _ => Err(self.type_error("__class__ assignment only supported for mutable types or ModuleType subclasses")),
+            Value::Class(c) if !self.heap[c].builtin => {
+                let (new, old) = (self.class_name(c), self.class_name(self.heap[i].class));
+                Err(self.type_error(format!("__class__ assignment: '{new}' object layout differs from '{old}'")))
+            }
+            Value::Class(_) => Err(self.type_error("__class__ assignment only supported for mutable types or ModuleType subclasses")),
+            _ => {
+                let message = format!("__class__ must be set to a class, not '{}' object", self.type_name(value));
+                Err(self.type_error(message))
+            }
         }
     }
 
@@ -167,6 +211,9 @@ impl Vm<'_> {
             let what = if name == sym::CAUSE { "cause" } else { "context" };
             return Err(self.type_error(format!("exception {what} must be None or derive from BaseException")));
         }
+        if name == sym::TRACEBACK && !value.is_none() && self.class_of(value) != Builtin::Traceback.class() {
+            return Err(self.type_error("__traceback__ must be a traceback or None"));
+        }
         let args = if self.symbols.text(name) == "args" {
             let items = self.collect(value)?;
             Some(self.heap.tuple(items))
@@ -182,7 +229,8 @@ impl Vm<'_> {
             }
             sym::CONTEXT => data.context = value,
             sym::SUPPRESS_CONTEXT => data.suppress = suppress.unwrap_or(false),
-            sym::TRACEBACK => data.traceback.clear(),
+            sym::TRACEBACK if value.is_none() => data.traceback.clear(),
+            sym::TRACEBACK => {}
             _ => match args {
                 Some(args) => data.args = args,
                 None => return Ok(false),
@@ -255,6 +303,10 @@ impl Vm<'_> {
 
     /// What `type.__delattr__` does.
     pub(super) fn del_type_attr(&mut self, c: Ref<Class>, name: Symbol) -> R<()> {
+        if matches!(name, sym::NAME | sym::QUALNAME | sym::BASES) {
+            let message = format!("cannot delete '{}' attribute of immutable type '{}'", self.symbols.text(name), self.class_name(c));
+            return Err(self.type_error(message));
+        }
         let removed = self.heap[c].attrs.shift_remove(&name);
         self.attr_cache.clear();
         if matches!(name, sym::GETATTRIBUTE | sym::GETATTR) {
@@ -292,17 +344,21 @@ impl Vm<'_> {
                 _ => {}
             }
         }
-        let removed = match &mut self.heap[i].attrs {
-            Attrs::Inline(items) => items.iter().position(|p| p.0 == name).map(|p| items.remove(p).1),
+        match self.remove_own(i, name)? {
+            Some(_) => Ok(()),
+            None => Err(self.no_attribute(object, name)),
+        }
+    }
+
+    /// Takes away an instance's own attribute.
+    pub(crate) fn remove_own(&mut self, i: Ref<Instance>, name: Symbol) -> R<Option<Value>> {
+        match &mut self.heap[i].attrs {
+            Attrs::Inline(items) => Ok(items.iter().position(|p| p.0 == name).map(|p| items.remove(p).1)),
             Attrs::Dict(dict) => {
                 let dict = *dict;
                 let key = self.symbol_text(name);
-                self.dict_remove(dict, key)?
+                self.dict_remove(dict, key)
             }
-        };
-        match removed {
-            Some(_) => Ok(()),
-            None => Err(self.no_attribute(object, name)),
         }
     }
 
@@ -449,7 +505,9 @@ impl Vm<'_> {
     /// Whether a native is a method in the sense of `type(x).__name__`.
     pub(super) fn native_class(native: &Native) -> Builtin {
         match native.kind {
-            NativeKind::Method | NativeKind::Raw | NativeKind::Getter => Builtin::NativeMethod,
+            NativeKind::Getter => Builtin::GetSet,
+            NativeKind::Method | NativeKind::Raw if is_slot(native.name) => Builtin::SlotWrapper,
+            NativeKind::Method | NativeKind::Raw => Builtin::NativeMethod,
             _ => Builtin::NativeFunction,
         }
     }

@@ -35,6 +35,8 @@ enum Kind {
     Plain,
     /// The instance's own attribute comes first, then this method.
     Method,
+    /// The instance's own attribute, or none: a name of `__slots__`.
+    Slot,
     /// A property with this getter.
     Property(Ref<Function>),
     /// Anything else.
@@ -114,11 +116,12 @@ impl Vm<'_> {
                 Value::Function(getter) => Kind::Property(getter),
                 _ => Kind::Other,
             },
+            Value::Instance(i) if self.heap[i].class == Builtin::MemberDescriptor.class() => Kind::Slot,
             _ => Kind::Other,
         };
-        let stores = matches!(kind, Kind::Plain | Kind::Method)
+        let open = self.heap[class].slots.is_none();
+        let stores = matches!(kind, Kind::Slot) | (open && matches!(kind, Kind::Plain | Kind::Method))
             && !matches!(name, sym::SETATTR | sym::CLASS | sym::DICT)
-            && self.heap[class].slots.is_none()
             && !self.heap[class].builtin
             && self.class_attr(class, sym::SETATTR).is_none_or(|hook| super::assign::is_default(hook, "__setattr__"));
         self.attr_cache.entries[Cache::place(class, name)] = Entry { class: class.index(), name, found, kind, stores };
@@ -163,7 +166,7 @@ impl Vm<'_> {
     }
 
     /// `AttributeError`, in CPython's words.
-    pub(super) fn no_attribute(&mut self, object: Value, name: Symbol) -> Raise {
+    pub(crate) fn no_attribute(&mut self, object: Value, name: Symbol) -> Raise {
         let name_text = self.symbols.text(name).to_string();
         let message = match object {
             Value::Class(c) => format!("type object '{}' has no attribute '{name_text}'", self.class_name(c)),
@@ -181,13 +184,9 @@ impl Vm<'_> {
 
     /// Puts an attribute straight into an instance's own attributes.
     pub(crate) fn set_own_attr(&mut self, object: Value, name: Symbol, value: Value) {
-        if let Value::Instance(i) = object
-            && let Attrs::Inline(items) = &mut self.heap[i].attrs
-        {
-            match items.iter_mut().find(|p| p.0 == name) {
-                Some(pair) => pair.1 = value,
-                None => items.push((name, value)),
-            }
+        if let Value::Instance(i) = object {
+            // A text hashes without running code: nothing can be raised but for want of steps.
+            let _ = self.store_own(i, name, value);
         }
     }
 
@@ -219,6 +218,7 @@ impl Vm<'_> {
         let found = match entry.kind {
             Kind::Property(getter) => return QuickAttr::Property(getter),
             Kind::Other => return QuickAttr::No,
+            Kind::Slot => QuickAttr::No,
             Kind::Plain if entry.found.is_undefined() => QuickAttr::No,
             Kind::Plain => QuickAttr::Value(&entry.found),
             Kind::Method => QuickAttr::Method(entry.found),
@@ -295,6 +295,13 @@ impl Vm<'_> {
                 Value::Native(n) => self.heap.str(format!("{}(...)", n.name)),
                 _ => Value::None,
             })),
+            sym::MODULE if matches!(object, Value::Native(_)) => Some(Found::Value(match object {
+                Value::Native(n) if !n.module.is_empty() => self.heap.str(n.module),
+                _ => self.heap.str("builtins"),
+            })),
+            sym::DICT if matches!(object, Value::ClassMethod(_) | Value::StaticMethod(_)) => {
+                Some(Found::Value(Value::Dict(self.heap.dict())))
+            }
             _ => None,
         })
     }
@@ -570,13 +577,23 @@ impl Vm<'_> {
         self.call(hook, &[text]).map(|v| Some(Found::Value(v)))
     }
 
-    /// A fresh dict of a module's globals.
+    /// A dict of a module's globals as they are now: the same each time.
     pub fn module_dict(&mut self, m: Ref<Module>) -> Ref<Dict> {
         let items: Vec<(Symbol, Value)> = {
             let module = &self.heap[m];
             module.names.iter().copied().zip(module.slots.iter().copied()).filter(|p| !p.1.is_undefined()).collect()
         };
-        self.symbols_dict(items)
+        let Some(dict) = self.heap[m].dict else {
+            let dict = self.symbols_dict(items);
+            self.heap[m].dict = Some(dict);
+            return dict;
+        };
+        for (name, value) in items {
+            let key = self.symbol_text(name);
+            // A text hashes without running code: nothing can be raised but for want of steps.
+            let _ = self.dict_set(dict, key, value);
+        }
+        dict
     }
 
     fn find_host_attr(&mut self, object: Value, name: Symbol) -> R<Option<Found>> {
@@ -618,6 +635,9 @@ impl Vm<'_> {
         let Super { class, object, object_class } = self.heap[s];
         if name == sym::CLASS {
             return Ok(Some(Found::Value(Builtin::Super.value())));
+        }
+        if object.is_undefined() {
+            return self.find_builtin_attr(Value::Super(s), name);
         }
         match self.symbols.text(name) {
             "__thisclass__" => return Ok(Some(Found::Value(Value::Class(class)))),

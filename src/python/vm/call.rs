@@ -41,7 +41,7 @@ impl Vm<'_> {
                     Begun::Frame => self.run_nested(),
                 }
             }
-            Value::Native(native) => self.call_native(native, args),
+            Value::Native(native) => self.nested(" while calling a Python object", |vm| vm.call_native(native, args)),
             Value::Method(m) => {
                 let Method { callee, receiver } = self.heap[m];
                 let mut all = Few::new();
@@ -53,11 +53,11 @@ impl Vm<'_> {
             Value::Host(_) | Value::Record(_) => self.call_host(callee, args),
             Value::StaticMethod(w) => {
                 let inner = self.heap[w].0;
-                self.call_with(inner, args)
+                self.nested(" while calling a Python object", |vm| vm.call_with(inner, args))
             }
             Value::Alias(a) if !self.heap[a].origin.is_none() => {
                 let origin = self.heap[a].origin;
-                self.call_with(origin, args)
+                self.nested(" while calling a Python object", |vm| vm.call_with(origin, args))
             }
             _ => match self.special(callee, sym::CALL) {
                 Some(method) => self.nested(" while calling a Python object", |vm| vm.call_with(method, args)),
@@ -95,7 +95,11 @@ impl Vm<'_> {
         };
         let given = args.pos.len().wrapping_sub(usize::from(takes_receiver));
         if args.kw.is_empty() && given >= usize::from(min) && (given <= usize::from(max) || max == ANY && given < usize::MAX) {
-            return (native.body)(self, args);
+            let result = (native.body)(self, args);
+            if takes_receiver && result.is_err() {
+                return self.receiver_named(native, args, result);
+            }
+            return result;
         }
         self.call_native_slow(native, args)
     }
@@ -112,12 +116,41 @@ impl Vm<'_> {
         self.finish(floor, result)
     }
 
+    /// A method that was handed something else than its type says which method it is.
+    #[cold]
+    fn receiver_named(&mut self, native: &'static Native, args: Args<'_>, result: R<Value>) -> R<Value> {
+        let Err(Raise::Exception(e)) = result else { return result };
+        if !matches!(native.kind, NativeKind::Method | NativeKind::Raw) || !self.is_instance(e, Builtin::TypeError) {
+            return result;
+        }
+        let message = match self.heap.exception_data(e).map(|d| d.args) {
+            Some(Value::Tuple(t)) => self.heap[t].0.first().copied().unwrap_or(Value::None),
+            _ => return result,
+        };
+        if !self.display(message).starts_with("descriptor requires a ") {
+            return result;
+        }
+        let Some(owner) = Builtin::owner(native) else { return result };
+        let (name, owner, found) = (native.name, owner.name(), self.type_name(args.at(0)));
+        Err(self.type_error(match Self::native_class(native) {
+            Builtin::SlotWrapper => format!("descriptor '{name}' requires a '{owner}' object but received a '{found}'"),
+            _ => format!("descriptor '{name}' for '{owner}' objects doesn't apply to a '{found}' object"),
+        }))
+    }
+
     #[inline(never)]
     fn call_native_slow(&mut self, native: &'static Native, args: Args<'_>) -> R<Value> {
         let bound = matches!(native.kind, NativeKind::Method | NativeKind::Raw | NativeKind::ClassMethod | NativeKind::Getter);
         let given = args.pos.len() - usize::from(bound && !args.pos.is_empty());
         if bound && args.pos.is_empty() {
-            return Err(self.type_error(format!("unbound method {}() needs an argument", native.name)));
+            let owner = Builtin::owner(native).map(|b| format!("{}.", b.name())).unwrap_or_default();
+            let message = match Self::native_class(native) {
+                Builtin::SlotWrapper => {
+                    format!("descriptor '{}' of '{}' object needs an argument", native.name, owner.trim_end_matches('.'))
+                }
+                _ => format!("unbound method {owner}{}() needs an argument", native.name),
+            };
+            return Err(self.type_error(message));
         }
         if !args.kw.is_empty() && !native.keywords {
             let name = self.native_name(native, args);
@@ -168,7 +201,10 @@ impl Vm<'_> {
     fn arity_error(&mut self, native: &'static Native, args: Args<'_>, given: usize) -> Raise {
         let (min, max) = native.arity;
         let name = self.native_name(native, args);
-        let message = if max == min && min == 0 {
+        let slot = matches!(native.kind, NativeKind::Method | NativeKind::Raw) && Self::native_class(native) == Builtin::SlotWrapper;
+        let message = if slot && max == min {
+            format!("expected {min} argument{}, got {given}", if min == 1 { "" } else { "s" })
+        } else if max == min && min == 0 {
             format!("{name}() takes no arguments ({given} given)")
         } else if max == min && min == 1 {
             format!("{name}() takes exactly one argument ({given} given)")
@@ -489,7 +525,7 @@ impl Vm<'_> {
         let defaults = self.heap[function].defaults.len();
         let s = |n: usize| if n == 1 { "" } else { "s" };
         let takes = if defaults > 0 {
-            format!("from {} to {positional} positional argument{}", positional - defaults, s(positional))
+            format!("from {} to {positional} positional arguments", positional - defaults)
         } else {
             format!("{positional} positional argument{}", s(positional))
         };

@@ -3,12 +3,18 @@
 use super::Vm;
 use super::attr::Found;
 use crate::python::classes::Builtin;
-use crate::python::error::R;
+use crate::python::error::{R, Raise};
 use crate::python::heap::*;
 use crate::python::native::{Args, NativeKind};
 use crate::python::symbols::sym;
+use crate::python::types::member;
 use crate::python::value::{Symbol, Value};
 use smallvec::SmallVec;
+
+/// Whether an identifier may begin with this character.
+fn unicode_ident_start(c: char) -> bool {
+    c == '_' || unicode_ident::is_xid_start(c)
+}
 
 impl Vm<'_> {
     /// `__name__` of a class.
@@ -127,6 +133,19 @@ impl Vm<'_> {
         match (name, value) {
             (sym::NAME, Value::Str(_)) => self.heap[class].name = value,
             (sym::QUALNAME, Value::Str(_)) => self.heap[class].qualname = value,
+            (sym::NAME | sym::QUALNAME, _) => {
+                let message = format!(
+                    "can only assign string to {}.{}, not '{}'",
+                    self.class_name(class),
+                    self.symbols.text(name),
+                    self.type_name(value)
+                );
+                return Err(self.type_error(message));
+            }
+            (sym::DICT, _) => {
+                let message = "attribute '__dict__' of 'type' objects is not writable".to_string();
+                return Err(self.error(Builtin::AttributeError, message));
+            }
             (sym::BASES, _) => return Err(self.type_error("__bases__ assignment is not available in PSDL")),
             _ => {
                 self.heap[class].attrs.insert(name, value);
@@ -199,7 +218,8 @@ impl Vm<'_> {
         let mut winner = match explicit {
             Some(Value::Class(c)) if self.is_subclass(c, Builtin::Type.class()) => c,
             Some(callable) => return Ok(callable),
-            None => Builtin::Type.class(),
+            // CPython begins with the type of the first base, whatever that is.
+            None => bases.first().map_or(Builtin::Type.class(), |b| self.class_of(*b)),
         };
         for base in bases {
             let meta = self.class_of(*base);
@@ -267,6 +287,9 @@ impl Vm<'_> {
         }
         if base_classes.is_empty() {
             base_classes.push(Builtin::Object.class());
+        }
+        if base_classes.len() > 256 {
+            return Err(self.type_error("too many base classes for PSDL: at most 256"));
         }
         let layout = self.common_layout(&base_classes)?;
         let mro = self.linearize(&base_classes)?;
@@ -379,12 +402,16 @@ impl Vm<'_> {
             _ => self.collect(spec)?,
         };
         let mut slots = Vec::new();
+        let mut originals = Vec::new();
         for name in names {
             let Value::Str(s) = self.plain(name) else {
                 let message = format!("__slots__ items must be strings, not '{}'", self.type_name(name));
                 return Err(self.type_error(message));
             };
             let text = self.heap[s].text.clone();
+            if !text.chars().next().is_some_and(unicode_ident_start) || !text.chars().skip(1).all(unicode_ident::is_xid_continue) {
+                return Err(self.type_error("__slots__ must be identifiers"));
+            }
             let private = text.starts_with("__") && !text.ends_with("__");
             let owner = self.class_name(class);
             let mangled = if private { format!("_{}{text}", owner.trim_start_matches('_')) } else { text.to_string() };
@@ -393,7 +420,9 @@ impl Vm<'_> {
                 return Err(self.value_error(format!("'{text}' in __slots__ conflicts with class variable")));
             }
             slots.push(symbol);
+            originals.push(text);
         }
+        self.add_members(class, spec, &slots, &originals)?;
         let bases = self.heap[class].bases.clone();
         let mut closed = !slots.contains(&sym::DICT);
         for base in bases {
@@ -410,6 +439,33 @@ impl Vm<'_> {
         Ok(())
     }
 
+    /// A descriptor for each name of `__slots__`; where those are a dict, its values are their docs.
+    fn add_members(&mut self, class: Ref<Class>, spec: Value, slots: &[Symbol], originals: &[Box<str>]) -> R<()> {
+        let layout = self.heap[class].layout;
+        let sized = matches!(layout, Layout::Int | Layout::Bytes | Layout::Tuple);
+        for (&slot, original) in slots.iter().zip(originals) {
+            if matches!(slot, sym::DICT | sym::WEAKREF) {
+                continue;
+            }
+            if sized {
+                let base = self.heap[class].mro.iter().find(|c| self.heap[**c].builtin).copied().unwrap_or(class);
+                let message = format!("nonempty __slots__ not supported for subtype of '{}'", self.class_name(base));
+                return Err(self.type_error(message));
+            }
+            let doc = match self.plain(spec) {
+                Value::Dict(docs) => {
+                    let key = self.heap.str(original.clone());
+                    self.dict_get(docs, key)?.unwrap_or(Value::None)
+                }
+                _ => Value::None,
+            };
+            let member = member::new(self, class, slot, doc);
+            self.heap[class].attrs.insert(slot, member);
+        }
+        self.attr_cache.clear();
+        Ok(())
+    }
+
     /// `__set_name__` of the attributes, then `__init_subclass__` of the parent.
     fn announce_class(&mut self, class: Ref<Class>, keywords: &[(Symbol, Value)]) -> R<()> {
         let attrs: Vec<(Symbol, Value)> = self.heap[class].attrs.iter().map(|(k, v)| (*k, *v)).collect();
@@ -418,12 +474,34 @@ impl Vm<'_> {
                 continue;
             }
             let text = self.symbol_text(name);
-            self.call_special(value, sym::SET_NAME, &[Value::Class(class), text])?;
+            if let Err(raise) = self.call_special(value, sym::SET_NAME, &[Value::Class(class), text]) {
+                return Err(self.set_name_failed(raise, value, name, class));
+            }
         }
         let parent = Value::Super(self.heap.alloc(Super { class, object: Value::Class(class), object_class: class }));
         let hook = self.get_attr(parent, sym::INIT_SUBCLASS)?;
         self.call_with(hook, Args { pos: &[], kw: keywords })?;
         Ok(())
+    }
+
+    /// An exception of `__set_name__` is the cause of the one that is seen.
+    fn set_name_failed(&mut self, raise: Raise, descriptor: Value, name: Symbol, class: Ref<Class>) -> Raise {
+        let Raise::Exception(cause) = raise else { return raise };
+        let message = format!(
+            "Error calling __set_name__ on '{}' instance '{}' in '{}'",
+            self.type_name(descriptor),
+            self.symbols.text(name),
+            self.class_name(class)
+        );
+        let raise = self.error(Builtin::RuntimeError, message);
+        if let Raise::Exception(e) = raise
+            && let Some(data) = self.heap.exception_data_mut(e)
+        {
+            data.cause = cause;
+            data.context = cause;
+            data.suppress = true;
+        }
+        raise
     }
 
     /// Which builtin value the instances hold: the bases must agree.
@@ -453,6 +531,12 @@ impl Vm<'_> {
                 return Err(self.type_error(message));
             }
         }
+        let total: usize = bases.iter().map(|b| self.heap[*b].mro.len()).sum();
+        self.reserve(total * 16)?;
+        self.charge(400 + total as u64 * 20)?;
+        if let [base] = bases {
+            return Ok(self.heap[*base].mro.clone());
+        }
         let mut lists: Vec<Vec<Ref<Class>>> = bases.iter().map(|b| self.heap[*b].mro.clone()).collect();
         lists.push(bases.to_vec());
         let mut out = Vec::new();
@@ -469,6 +553,7 @@ impl Vm<'_> {
                 let message = format!("Cannot create a consistent method resolution\norder (MRO) for bases {}", names.join(", "));
                 return Err(self.type_error(message));
             };
+            self.charge(total as u64 / 4)?;
             out.push(next);
             for list in &mut lists {
                 if list.first() == Some(&next) {

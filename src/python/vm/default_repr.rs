@@ -20,14 +20,33 @@ impl Vm<'_> {
             Value::Function(f) => format!("<function {} at {at:#x}>", self.display(self.heap[f].qualname)),
             Value::Native(n) => match Self::native_class(n) {
                 Builtin::NativeFunction => format!("<built-in function {}>", n.name),
-                _ => format!("<method '{}'>", n.name),
+                kind => {
+                    let what = match kind {
+                        Builtin::SlotWrapper => "slot wrapper",
+                        Builtin::GetSet => "attribute",
+                        _ => "method",
+                    };
+                    match Builtin::owner(n) {
+                        Some(owner) => format!("<{what} '{}' of '{}' objects>", n.name, owner.name()),
+                        None => format!("<{what} '{}'>", n.name),
+                    }
+                }
             },
             Value::Method(m) => self.method_repr(self.heap[m]),
             Value::Generator(g) => format!("<generator object {} at {at:#x}>", self.display(self.heap[g].qualname)),
             Value::Module(m) => format!("<module '{}'>", self.display(self.heap[m].name)),
             Value::Super(s) => {
-                let Super { class, object_class, .. } = self.heap[s];
+                let Super { class, object_class, object } = self.heap[s];
+                if object.is_undefined() {
+                    return format!("<super: <class '{}'>, NULL>", self.class_name(class));
+                }
                 format!("<super: <class '{}'>, <{} object>>", self.class_name(class), self.class_name(object_class))
+            }
+            Value::ClassMethod(w) | Value::StaticMethod(w) => {
+                let inner = self.heap[w].0;
+                let inner = self.repr(inner).unwrap_or_else(|_| "?".to_string());
+                let what = if matches!(value, Value::ClassMethod(_)) { "classmethod" } else { "staticmethod" };
+                format!("<{what}({inner})>")
             }
             Value::Alias(_) => self.alias_repr(value),
             _ => format!("<{} object at {at:#x}>", self.full_class_name(self.class_of(value))),
@@ -39,9 +58,16 @@ impl Vm<'_> {
         match method.callee {
             Value::Native(n) => {
                 let kind = self.type_name(method.receiver);
+                if Self::native_class(n) == Builtin::SlotWrapper {
+                    return format!("<method-wrapper '{}' of {kind} object at {:#x}>", n.name, self.address(method.receiver));
+                }
                 format!("<built-in method {} of {kind} object at {:#x}>", n.name, self.address(method.receiver))
             }
             Value::Function(f) => format!("<bound method {} of {receiver}>", self.display(self.heap[f].qualname)),
+            Value::Instance(i) => {
+                let name = self.full_class_name(self.heap[i].class);
+                format!("<bound method {name} of {receiver}>")
+            }
             _ => format!("<bound method of {receiver}>"),
         }
     }
@@ -79,7 +105,7 @@ impl Vm<'_> {
             Value::Class(c) if c == Builtin::NoneType.class() => "None".to_string(),
             Value::Class(c) => self.full_class_name(c),
             Value::Ellipsis => "...".to_string(),
-            Value::Alias(_) => self.alias_repr(value),
+            Value::Alias(_) => self.nested("", |vm| Ok(vm.alias_repr(value))).unwrap_or_else(|_| "...".to_string()),
             other => self.repr(other).unwrap_or_default(),
         }
     }

@@ -21,6 +21,8 @@ pub struct Failure {
 impl Vm<'_> {
     /// Finds who handles what was raised, down to the frame above `bottom`; where nobody does, the frames are gone and it goes on.
     pub(super) fn unwind(&mut self, raise: Raise, bottom: usize) -> R<()> {
+        // What a raise takes besides its instructions: at the next look, for a stop on the way would be lost.
+        self.countdown = self.countdown.saturating_sub(60);
         let Raise::Exception(exception) = raise else {
             return self.abandon(raise, bottom);
         };

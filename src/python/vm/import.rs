@@ -64,6 +64,7 @@ impl Vm<'_> {
         if let Raise::Exception(e) = raise {
             let value = self.symbol_text(name);
             self.set_own_attr(e, sym::N_NAME, value);
+            self.set_own_attr(e, sym::N_PATH, Value::None);
         }
         raise
     }
@@ -104,7 +105,7 @@ impl Vm<'_> {
 
     fn native_module(&mut self, text: &str, items: &'static [(&'static str, Item)]) -> Ref<Module> {
         let name = self.heap.str(text);
-        let module = self.heap.alloc(Module { name, slots: Vec::new(), names: Vec::new(), index: FxHashMap::default() });
+        let module = self.heap.alloc(Module { name, slots: Vec::new(), names: Vec::new(), index: FxHashMap::default(), dict: None });
         for (key, item) in items {
             let value = match item {
                 Item::Native(native) => Value::Native(native),
@@ -132,7 +133,13 @@ impl Vm<'_> {
             return Ok(Value::Module(inner));
         }
         let message = format!("cannot import name '{}' from '{package}' (unknown location)", self.symbols.text(name));
-        Err(self.error(Builtin::ImportError, message))
+        let raise = self.error(Builtin::ImportError, message);
+        if let Raise::Exception(e) = raise {
+            let package = self.heap.str(package);
+            self.set_own_attr(e, sym::N_NAME, package);
+            self.set_own_attr(e, sym::N_PATH, Value::None);
+        }
+        Err(raise)
     }
 
     /// `from module import *`

@@ -4,6 +4,7 @@ use super::Vm;
 use super::attr::Found;
 use super::generator::{Resume, Step};
 use crate::python::classes::Builtin;
+use crate::python::code::Op;
 use crate::python::error::{R, Raise};
 use crate::python::heap::*;
 use crate::python::native::Args;
@@ -27,6 +28,11 @@ impl Vm<'_> {
     /// `g.throw(exception)`, `g.throw(class, value)`
     pub(crate) fn generator_throw(&mut self, args: Args<'_>) -> R<Value> {
         let Value::Generator(g) = args.at(0) else { return Err(self.type_error("a generator is wanted")) };
+        if let (Value::Instance(_), Some(value)) = (args.at(1), args.get(2))
+            && !value.is_none()
+        {
+            return Err(self.type_error("instance exception may not have a separate value"));
+        }
         let exception = match (args.at(1), args.get(2)) {
             (Value::Class(c), Some(value)) if !value.is_none() => {
                 if self.is_instance(value, Builtin::BaseException) {
@@ -52,6 +58,16 @@ impl Vm<'_> {
         let Value::Generator(g) = generator else { return Err(self.type_error("a generator is wanted")) };
         self.close_generator(g)?;
         Ok(Value::None)
+    }
+
+    /// `g.gi_yieldfrom`: what a generator hands its values through from.
+    pub(crate) fn generator_waits_for(&self, generator: Value) -> Value {
+        let Value::Generator(g) = generator else { return Value::None };
+        let Some(frame) = self.heap[g].frame.as_ref().filter(|_| self.heap[g].started) else { return Value::None };
+        match self.codes[frame.code.0 as usize].code().ops.get(frame.pc as usize) {
+            Some(Op::YieldFrom) => frame.stack.last().copied().unwrap_or(Value::None),
+            _ => Value::None,
+        }
     }
 
     /// `__class__` and the first argument of the running function: what `super()` means.
@@ -140,6 +156,7 @@ impl Vm<'_> {
             }
             _ => {}
         }
+        names.extend(["__class__", "__doc__"].map(str::to_string));
         names.sort();
         names.dedup();
         Ok(names)
@@ -165,12 +182,17 @@ impl Vm<'_> {
 
     /// `e.__traceback__`: there once the exception was raised. What it shows is for people, not for programs.
     pub(crate) fn traceback(&mut self, exception: Value) -> Value {
-        if self.heap.exception_data(exception).is_none_or(|d| d.traceback.is_empty()) {
-            return Value::None;
+        let Some(data) = self.heap.exception_data(exception) else { return Value::None };
+        let entries = data.traceback.clone();
+        let mut next = Value::None;
+        for entry in entries {
+            let line = self.codes[entry.code.0 as usize].program.lines.line(entry.range.start());
+            let fields = [("tb_frame", Value::None), ("tb_next", next), ("tb_lineno", Value::int(i64::from(line) + 1))];
+            let attrs = fields.map(|(name, value)| (self.symbols.intern(name), value)).to_vec();
+            let class = Builtin::Traceback.class();
+            next = Value::Instance(self.heap.alloc(Instance { class, attrs: Attrs::Inline(attrs), base: Base::None }));
         }
-        let attrs = ["tb_frame", "tb_next"].map(|name| (self.symbols.intern(name), Value::None)).to_vec();
-        let class = Builtin::Traceback.class();
-        Value::Instance(self.heap.alloc(Instance { class, attrs: Attrs::Inline(attrs), base: Base::None }))
+        next
     }
 
     /// `isinstance(value, class)`: tuples, unions and `__instancecheck__` included.
@@ -221,10 +243,19 @@ impl Vm<'_> {
 
     /// `f.__code__`: a small object with the numbers and names that programs ask for.
     pub(crate) fn code_object(&mut self, function: Value) -> R<Value> {
-        let Value::Function(f) = function else { return Ok(Value::None) };
-        let linked = self.codes[self.heap[f].code.0 as usize].clone();
+        let code = match function {
+            Value::Function(f) => self.heap[f].code,
+            Value::Generator(g) => match &self.heap[g].frame {
+                Some(frame) => frame.code,
+                None => return Ok(Value::None),
+            },
+            _ => return Ok(Value::None),
+        };
+        let linked = self.codes[code.0 as usize].clone();
         let code = linked.code();
         let names: Vec<Value> = code.locals.iter().filter(|n| !n.starts_with('.')).map(|n| self.heap.str(&**n)).collect();
+        let cells: Vec<Value> = code.cells.iter().map(|c| self.heap.str(&*c.0)).collect();
+        let used: Vec<Value> = code.names.iter().map(|n| self.heap.str(&**n)).collect();
         let frees: Vec<Value> = code.frees.iter().map(|n| self.heap.str(&**n)).collect();
         let flags =
             3 | if code.params.varargs { 4 } else { 0 } | if code.params.varkw { 8 } else { 0 } | if code.generator { 32 } else { 0 };
@@ -238,6 +269,9 @@ impl Vm<'_> {
             ("co_flags", Value::int(flags)),
             ("co_varnames", self.heap.tuple(names)),
             ("co_freevars", self.heap.tuple(frees)),
+            ("co_cellvars", self.heap.tuple(cells)),
+            ("co_names", self.heap.tuple(used)),
+            ("co_filename", self.heap.str("<program>")),
         ];
         let attrs = fields.iter().map(|(name, value)| (self.symbols.intern(name), *value)).collect();
         let class = Builtin::CodeObject.class();

@@ -28,6 +28,8 @@ impl Default for Limits {
 
 /// Steps between two looks at the cancel flag and at memory.
 const CHUNK: u64 = 4096;
+/// From here on memory comes from the system.
+const FRESH: usize = 128 << 10;
 /// The collector does not run before the heap has this many bytes.
 pub(super) const FIRST_COLLECTION: usize = 16 << 20;
 
@@ -65,7 +67,8 @@ impl Vm<'_> {
         if bytes > self.limits.memory || self.heap.bytes.saturating_add(bytes) > self.limits.memory.saturating_mul(2) {
             return Err(self.memory_error());
         }
-        self.charge((bytes / 256) as u64)
+        // Fresh memory is paid for page by page; small pieces come from what is there.
+        self.charge((bytes / if bytes < FRESH { 256 } else { 24 }) as u64)
     }
 
     fn memory_error(&mut self) -> Raise {

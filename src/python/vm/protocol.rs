@@ -407,9 +407,22 @@ impl Vm<'_> {
         Ok(())
     }
 
+    /// A dict whose items are read without asking its class: not one of a class with an `__iter__` of its own.
+    pub(crate) fn plain_dict(&mut self, mapping: Value) -> Option<Ref<Dict>> {
+        if let Value::Instance(i) = mapping
+            && !matches!(self.class_attr(self.heap[i].class, sym::ITER), Some(Value::Native(_)))
+        {
+            return None;
+        }
+        match self.plain(mapping) {
+            Value::Dict(d) => Some(d),
+            _ => None,
+        }
+    }
+
     /// The items of a mapping; `None` where it is none.
     fn mapping_items(&mut self, mapping: Value) -> R<Option<Vec<(Value, Value)>>> {
-        if let Value::Dict(d) = self.plain(mapping) {
+        if let Some(d) = self.plain_dict(mapping) {
             return Ok(Some(self.heap[d].0.iter().map(|e| (e.key, e.value)).collect()));
         }
         let Some(keys) = self.get_attr_opt(mapping, sym::N_KEYS)? else { return Ok(None) };
@@ -448,6 +461,13 @@ impl Vm<'_> {
     pub(super) fn load_builtin(&mut self, slot: u32) -> R<Value> {
         let name = self.heap[self.frame.module].names[slot as usize];
         if let Some(value) = self.builtin(name) {
+            return Ok(value);
+        }
+        let module = self.frame.module;
+        if let Some(dict) = self.heap[module].dict
+            && let Some(value) = self.dict_get_symbol(dict, name)
+        {
+            self.heap[module].slots[slot as usize] = value;
             return Ok(value);
         }
         Err(self.missing_name(name))

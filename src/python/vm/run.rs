@@ -41,6 +41,7 @@ impl Vm<'_> {
 
     /// Runs the current frame until the frames are `bottom` again.
     pub(super) fn nested_run(&mut self, bottom: usize) -> R<Value> {
+        self.countdown = self.countdown.saturating_sub(12);
         self.native_depth += 1;
         let result = stacker::maybe_grow(256 << 10, 4 << 20, || self.run(bottom));
         self.native_depth -= 1;

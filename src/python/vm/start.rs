@@ -83,7 +83,7 @@ impl<'h> Vm<'h> {
         let symbols = Interner::new();
         classes::install(&mut heap);
         let name = heap.str("__main__");
-        let module = heap.alloc(Module { name, slots: Vec::new(), names: Vec::new(), index: FxHashMap::default() });
+        let module = heap.alloc(Module { name, slots: Vec::new(), names: Vec::new(), index: FxHashMap::default(), dict: None });
         let Options { limits, cancel, lenient, trace, constants, directions } = options;
         let host_names = host.type_names();
         let mut vm = Vm {
@@ -257,7 +257,7 @@ impl<'h> Vm<'h> {
         let names: Vec<Symbol> = program.globals.iter().map(|n| self.symbols.intern(n)).collect();
         let index = names.iter().enumerate().map(|(i, n)| (*n, i as u32)).collect();
         let name = self.heap.str(name);
-        let module = self.heap.alloc(Module { name, slots: vec![Value::Undefined; names.len()], names, index });
+        let module = self.heap.alloc(Module { name, slots: vec![Value::Undefined; names.len()], names, index, dict: None });
         self.module_set(module, crate::python::symbols::sym::NAME, name);
         self.module_set(module, crate::python::symbols::sym::DOC, Value::None);
         module

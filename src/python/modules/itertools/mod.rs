@@ -252,7 +252,7 @@ pub fn next(vm: &mut Vm<'_>, r: Ref<Iter>) -> R<Option<Value>> {
         Tool::Grouper { parent, target } => next_in_group(vm, r, parent, target),
         Tool::ZipLongest { .. } => next_zipped(vm, r),
         Tool::StarMap { function, iter } => {
-            let Some(args) = vm.next(iter)? else { return Ok(None) };
+            let Some(args) = vm.next_inner(iter)? else { return Ok(None) };
             let args = vm.collect(args)?;
             vm.call(function, &args).map(Some)
         }
@@ -260,7 +260,7 @@ pub fn next(vm: &mut Vm<'_>, r: Ref<Iter>) -> R<Option<Value>> {
             let item = match vm.heap[buffer].0.get(index) {
                 Some(&item) => item,
                 None => {
-                    let Some(item) = vm.next(source)? else { return Ok(None) };
+                    let Some(item) = vm.next_inner(source)? else { return Ok(None) };
                     vm.list_push(buffer, item)?;
                     item
                 }
@@ -270,21 +270,21 @@ pub fn next(vm: &mut Vm<'_>, r: Ref<Iter>) -> R<Option<Value>> {
             Ok(Some(item))
         }
         Tool::Compress { data, selectors } => loop {
-            let Some(item) = vm.next(data)? else { return Ok(None) };
-            let Some(selector) = vm.next(selectors)? else { return Ok(None) };
+            let Some(item) = vm.next_inner(data)? else { return Ok(None) };
+            let Some(selector) = vm.next_inner(selectors)? else { return Ok(None) };
             vm.charge(1)?;
             if vm.truth(selector)? {
                 return Ok(Some(item));
             }
         },
         Tool::FilterFalse { predicate, iter } => loop {
-            let Some(item) = vm.next(iter)? else { return Ok(None) };
+            let Some(item) = vm.next_inner(iter)? else { return Ok(None) };
             if !test(vm, predicate, item)? {
                 return Ok(Some(item));
             }
         },
         Tool::DropWhile { predicate, iter, dropped } => loop {
-            let Some(item) = vm.next(iter)? else { return Ok(None) };
+            let Some(item) = vm.next_inner(iter)? else { return Ok(None) };
             if dropped || !test(vm, predicate, item)? {
                 set!(vm, r, DropWhile { dropped = true });
                 return Ok(Some(item));
@@ -294,7 +294,7 @@ pub fn next(vm: &mut Vm<'_>, r: Ref<Iter>) -> R<Option<Value>> {
             if over {
                 return Ok(None);
             }
-            let Some(item) = vm.next(iter)? else { return Ok(None) };
+            let Some(item) = vm.next_inner(iter)? else { return Ok(None) };
             if test(vm, predicate, item)? {
                 return Ok(Some(item));
             }
@@ -322,7 +322,7 @@ fn next_chained(vm: &mut Vm<'_>, r: Ref<Iter>) -> R<Option<Value>> {
         }
         vm.charge(1)?;
         if current.is_undefined() {
-            let Some(iterable) = vm.next(source)? else {
+            let Some(iterable) = vm.next_inner(source)? else {
                 set!(vm, r, Chain { source = Value::Undefined });
                 return Ok(None);
             };
@@ -330,7 +330,7 @@ fn next_chained(vm: &mut Vm<'_>, r: Ref<Iter>) -> R<Option<Value>> {
             set!(vm, r, Chain { current = iter });
             continue;
         }
-        if let Some(item) = vm.next(current)? {
+        if let Some(item) = vm.next_inner(current)? {
             return Ok(Some(item));
         }
         set!(vm, r, Chain { current = Value::Undefined });
@@ -346,7 +346,7 @@ fn next_sliced(vm: &mut Vm<'_>, r: Ref<Iter>) -> R<Option<Value>> {
     if stop.is_none_or(|stop| count < stop || count < next) {
         while count < next {
             vm.charge(1)?;
-            if vm.next(iter)?.is_none() {
+            if vm.next_inner(iter)?.is_none() {
                 set!(vm, r, Slice { iter = Value::Undefined });
                 return Ok(None);
             }
@@ -354,7 +354,7 @@ fn next_sliced(vm: &mut Vm<'_>, r: Ref<Iter>) -> R<Option<Value>> {
             set!(vm, r, Slice { taken = count });
         }
         if stop.is_none_or(|stop| count < stop) {
-            item = vm.next(iter)?;
+            item = vm.next_inner(iter)?;
         }
     }
     if item.is_none() {
@@ -373,7 +373,7 @@ fn next_accumulated(vm: &mut Vm<'_>, r: Ref<Iter>, [iter, function, total]: [Val
         set!(vm, r, Accumulate { initial = None, total = first });
         return Ok(Some(first));
     }
-    let Some(item) = vm.next(iter)? else { return Ok(None) };
+    let Some(item) = vm.next_inner(iter)? else { return Ok(None) };
     let sum = if total.is_undefined() {
         item
     } else if function.is_none() {
@@ -388,7 +388,7 @@ fn next_accumulated(vm: &mut Vm<'_>, r: Ref<Iter>, [iter, function, total]: [Val
 fn next_cycled(vm: &mut Vm<'_>, r: Ref<Iter>) -> R<Option<Value>> {
     let Some(&mut Tool::Cycle { iter, ended, .. }) = at(vm, r) else { return Ok(None) };
     if !ended {
-        if let Some(item) = vm.next(iter)? {
+        if let Some(item) = vm.next_inner(iter)? {
             let mut grown = 0;
             if let Some(Tool::Cycle { saved, .. }) = at(vm, r) {
                 let before = saved.capacity();
@@ -409,13 +409,13 @@ fn next_cycled(vm: &mut Vm<'_>, r: Ref<Iter>) -> R<Option<Value>> {
 
 fn next_pair(vm: &mut Vm<'_>, r: Ref<Iter>, iter: Value, old: Value) -> R<Option<Value>> {
     let old = if old.is_undefined() {
-        let Some(first) = vm.next(iter)? else { return Ok(None) };
+        let Some(first) = vm.next_inner(iter)? else { return Ok(None) };
         set!(vm, r, Pairwise { old = first });
         first
     } else {
         old
     };
-    let Some(new) = vm.next(iter)? else { return Ok(None) };
+    let Some(new) = vm.next_inner(iter)? else { return Ok(None) };
     set!(vm, r, Pairwise { old = new });
     Ok(Some(vm.new_tuple([old, new].as_slice())))
 }
@@ -424,7 +424,7 @@ fn next_pair(vm: &mut Vm<'_>, r: Ref<Iter>, iter: Value, old: Value) -> R<Option
 fn step_group(vm: &mut Vm<'_>, r: Ref<Iter>) -> R<bool> {
     vm.charge(1)?;
     let Some(&mut Tool::GroupBy { iter, key, .. }) = at(vm, r) else { return Ok(false) };
-    let Some(item) = vm.next(iter)? else { return Ok(false) };
+    let Some(item) = vm.next_inner(iter)? else { return Ok(false) };
     let item_key = if key.is_none() { item } else { vm.call(key, &[item])? };
     set!(vm, r, GroupBy { current = item, current_key = item_key });
     Ok(true)
@@ -467,7 +467,7 @@ fn next_zipped(vm: &mut Vm<'_>, r: Ref<Iter>) -> R<Option<Value>> {
         let Some(Tool::ZipLongest { iters, fill }) = at(vm, r) else { return Ok(None) };
         let fill = *fill;
         let Some(&iter) = iters.get(row.len()) else { break };
-        let item = if iter.is_undefined() { None } else { vm.next(iter)? };
+        let item = if iter.is_undefined() { None } else { vm.next_inner(iter)? };
         if item.is_none()
             && !iter.is_undefined()
             && let Some(Tool::ZipLongest { iters, .. }) = at(vm, r)

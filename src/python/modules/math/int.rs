@@ -104,7 +104,7 @@ fn folded(vm: &mut Vm<'_>, args: Args<'_>, start: i64, f: fn(&BigInt, &BigInt) -
     for &value in args.pos {
         let value = vm.index_big(value)?;
         let limbs = (result.bits().max(value.bits()) / 64) + 1;
-        vm.charge(limbs.saturating_mul(limbs) / 8 + 1)?;
+        vm.charge(limbs.saturating_mul(limbs).saturating_mul(4) + 8)?;
         result = f(&result, &value);
     }
     Ok(vm.heap.big(result))

@@ -52,7 +52,7 @@ pub fn update(vm: &mut Vm<'_>, dict: Ref<Dict>, function: &str, args: Args<'_>) 
 
 /// Copies the entries of a mapping, or of an iterable of pairs, into a dict.
 pub fn update_from(vm: &mut Vm<'_>, dict: Ref<Dict>, source: Value) -> R<()> {
-    if let Value::Dict(from) = vm.plain(source) {
+    if let Some(from) = vm.plain_dict(source) {
         return merge(vm, dict, from);
     }
     if let Value::Proxy(p) = source {
@@ -107,7 +107,7 @@ fn merge(vm: &mut Vm<'_>, dict: Ref<Dict>, from: Ref<Dict>) -> R<()> {
 pub fn copied(vm: &mut Vm<'_>, dict: Ref<Dict>) -> R<Ref<Dict>> {
     let len = vm.heap[dict].0.len();
     vm.reserve(vm.heap[dict].0.bytes())?;
-    vm.charge(len as u64 / 8)?;
+    vm.charge(len as u64)?;
     let copy = vm.heap[dict].clone();
     Ok(vm.heap.alloc(copy))
 }
@@ -215,7 +215,7 @@ pub fn reversed_iter(vm: &mut Vm<'_>, dict: Ref<Dict>, kind: ViewKind) -> Value 
 
 /// Methods of `dict`.
 pub const METHODS: &[Native] = &[
-    Native::static_method("__new__", 1, ANY, super::object::new).keywords(),
+    Native::static_method("__new__", 1, ANY, |vm, a| super::object::new_builtin(vm, a, Builtin::Dict)).keywords(),
     Native::method("get", 1, 2, get),
     Native::method("setdefault", 1, 2, set_default),
     Native::method("pop", 1, 2, pop),

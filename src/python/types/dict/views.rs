@@ -37,7 +37,14 @@ fn is_disjoint(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     Ok(Value::Bool(disjoint))
 }
 
-const fn set_like() -> [Native; 17] {
+/// `a op view` where `a` has no such operator: a list, say.
+fn reflected(vm: &mut Vm<'_>, op: BinaryOp, args: Args<'_>) -> R<Value> {
+    let made = vm.heap.alloc(Set::default());
+    set::add_all(vm, made, args.at(1))?;
+    vm.binary(op, Value::Set(made), args.at(0))
+}
+
+const fn set_like() -> [Native; 21] {
     [
         Native::method("__len__", 0, 0, containers::method_len),
         Native::method("__contains__", 1, 1, containers::method_contains),
@@ -50,6 +57,10 @@ const fn set_like() -> [Native; 17] {
         Native::method("__or__", 1, 1, |vm, args| containers::method_binary(vm, BinaryOp::Or, args)),
         Native::method("__xor__", 1, 1, |vm, args| containers::method_binary(vm, BinaryOp::Xor, args)),
         Native::method("__sub__", 1, 1, |vm, args| containers::method_binary(vm, BinaryOp::Sub, args)),
+        Native::method("__rand__", 1, 1, |vm, args| reflected(vm, BinaryOp::And, args)),
+        Native::method("__ror__", 1, 1, |vm, args| reflected(vm, BinaryOp::Or, args)),
+        Native::method("__rxor__", 1, 1, |vm, args| reflected(vm, BinaryOp::Xor, args)),
+        Native::method("__rsub__", 1, 1, |vm, args| reflected(vm, BinaryOp::Sub, args)),
         Native::method("__eq__", 1, 1, |vm, args| containers::method_compare(vm, CompareOp::Eq, args)),
         Native::method("__ne__", 1, 1, |vm, args| containers::method_compare(vm, CompareOp::Ne, args)),
         Native::method("__lt__", 1, 1, |vm, args| containers::method_compare(vm, CompareOp::Lt, args)),
@@ -133,7 +144,11 @@ pub fn as_set(vm: &mut Vm<'_>, view: Ref<View>) -> R<Ref<Set>> {
 pub fn construct_proxy(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     crate::python::types::iterator::positional(vm, "mappingproxy", &args, 1, 1)?;
     match vm.plain(args.at(0)) {
-        mapping @ (Value::Dict(_) | Value::Proxy(_)) => Ok(Value::Proxy(vm.heap.alloc(Wrapped(mapping)))),
+        Value::Proxy(inner) => {
+            let same = vm.heap[inner];
+            Ok(Value::Proxy(vm.heap.alloc(same)))
+        }
+        mapping @ Value::Dict(_) => Ok(Value::Proxy(vm.heap.alloc(Wrapped(mapping)))),
         other => {
             let name = vm.type_name(other);
             Err(vm.type_error(format!("mappingproxy() argument must be a mapping, not {name}")))

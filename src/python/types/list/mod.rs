@@ -6,6 +6,7 @@ pub use sort::{sort_values, sorted};
 
 use super::containers;
 use super::slice;
+use crate::python::classes::Builtin;
 use crate::python::error::R;
 use crate::python::heap::*;
 use crate::python::iter::IterState;
@@ -256,7 +257,7 @@ fn clear(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 
 /// Methods of `list`.
 pub const METHODS: &[Native] = &[
-    Native::static_method("__new__", 1, ANY, super::object::new).keywords(),
+    Native::static_method("__new__", 1, ANY, |vm, a| super::object::new_builtin(vm, a, Builtin::List)).keywords(),
     Native::method("append", 1, 1, append),
     Native::method("extend", 1, 1, extend),
     Native::method("insert", 2, 2, insert),

@@ -10,6 +10,7 @@ pub(super) use layout::{centered, expand};
 
 use super::containers;
 use super::number::spec_of;
+use crate::python::classes::Builtin;
 use crate::python::error::R;
 use crate::python::heap::{Ref, Str};
 use crate::python::native::{ANY, Args, Native};
@@ -160,7 +161,7 @@ fn new_args(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
 
 /// Methods of `str`.
 pub const METHODS: &[Native] = &[
-    Native::static_method("__new__", 1, ANY, super::object::new).keywords(),
+    Native::static_method("__new__", 1, ANY, |vm, a| super::object::new_builtin(vm, a, Builtin::Str)).keywords(),
     Native::method("capitalize", 0, 0, case::capitalize),
     Native::method("casefold", 0, 0, case::casefold),
     Native::method("center", 1, 2, layout::center),

@@ -115,7 +115,7 @@ pub(super) fn splitlines(vm: &mut Vm<'_>, args: Args<'_>) -> R<Value> {
     let text = this(vm, &args)?;
     let [keep] = vm.bind("splitlines", Args { pos: &args.pos[1..], kw: args.kw }, ["keepends"], 0)?;
     let keep = match keep {
-        Some(keep) => vm.truth(keep)?,
+        Some(keep) => vm.index(keep)? != 0,
         None => false,
     };
     vm.charge(vm.heap[text].text.len() as u64 / 16)?;
