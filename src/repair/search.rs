@@ -16,7 +16,7 @@ use super::measure::{Score, volume};
 use super::problem::Problem;
 use super::proposals;
 use super::state::{State, Tried, score_of};
-use super::{Effort, Settings};
+use super::{Effort, Method, Settings};
 
 /// Of the best candidates so many are looked at again: where they run into something else, the same literal may go elsewhere.
 const CHAINED: usize = 4;
@@ -161,9 +161,9 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// What a run with one more change gives, unless such a run did no good before.
+    /// What a run with one more change gives, unless such a run did no good before: the paper's search knows no such rule.
     fn run_from(&mut self, state: &State, change: Change) -> Option<Score> {
-        if self.hopeless.contains(&key_of(change)) {
+        if self.settings.method == Method::Guided && self.hopeless.contains(&key_of(change)) {
             return None;
         }
         let score = self.run(&state.changes.with(change, self.problem.tuning()));

@@ -73,14 +73,22 @@ pub enum End {
     Sudden,
 }
 
-/// Serves one client until it is gone.
+/// Serves one client over standard input and output until it is gone.
 ///
 /// # Errors
 /// The log cannot be written, or threads cannot be started.
 pub fn serve(options: &Options) -> io::Result<End> {
     log::start(options.log.as_ref(), options.log_level)?;
+    serve_on(io::stdin().lock(), io::BufWriter::new(io::stdout()))
+}
+
+/// The same over any pair of streams, without a log.
+///
+/// # Errors
+/// Threads cannot be started.
+pub fn serve_on(input: impl io::BufRead, output: impl io::Write + Send + 'static) -> io::Result<End> {
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(1).enable_time().build()?;
-    let output = Output::start(io::BufWriter::new(io::stdout()))?;
+    let output = Output::start(output)?;
     let shared = Arc::new(Shared::new(output.clone()));
     shared.start()?;
     let ending = Arc::new(AtomicBool::new(false));
@@ -97,7 +105,7 @@ pub fn serve(options: &Options) -> io::Result<End> {
         .custom_method("$/setTrace", Backend::set_trace)
         .finish();
     tracing::info!("psdl {} serves", env!("CARGO_PKG_VERSION"));
-    transport::serve(io::stdin().lock(), &output, service, socket, runtime.handle());
+    transport::serve(input, &output, service, socket, runtime.handle());
     runtime.shutdown_background();
     output.flush();
     let end = if ending.load(Ordering::Relaxed) { End::Asked } else { End::Sudden };
