@@ -120,6 +120,10 @@ fn costly_work_ends_at_the_limit() {
         "d = {}\nwhile True: d[float('nan')] = 1",
         "a = dict.fromkeys(range(10**5))\nwhile True: a.copy()",
         "import math\na = 1\nfor i in range(1, 10**7): a = math.lcm(a, i)",
+        "a = 'é' * 10**6\nwhile True: a[5 * 10**5]",
+        "a = tuple(range(10**5))\nwhile True: hash(a)",
+        "class A: pass\nwhile True: dir(A())",
+        "def f():\n try: f()\n finally: f()\nf()",
     ] {
         let found = run(program);
         assert!(found.starts_with("stopped: Steps") || found.starts_with("MemoryError"), "{program}\n{found}");

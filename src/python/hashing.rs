@@ -234,7 +234,7 @@ impl Vm<'_> {
 
     fn hash_tuple(&mut self, tuple: Ref<Tuple>) -> R<i64> {
         let items = self.heap[tuple].0.clone();
-        self.charge(items.len() as u64 / 8)?;
+        self.charge(items.len() as u64 * 2)?;
         let mut hashes = smallvec::SmallVec::<[i64; 8]>::new();
         for item in items {
             hashes.push(match item {

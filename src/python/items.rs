@@ -203,7 +203,10 @@ impl Vm<'_> {
                 slice::Span { start, step: 1, len: 1, stop: start + 1 }
             }
         };
-        self.charge(span.len as u64 / 32)?;
+        // Where characters are of several sizes, those before it are counted.
+        let bytes = self.heap[text].text.len();
+        let passed = if bytes == len { 0 } else { span.start.max(span.stop).max(0) as u64 / 4 };
+        self.charge(span.len as u64 / 32 + passed)?;
         let Str { text, .. } = &self.heap[text];
         let part: String = if text.len() == len {
             span.indices().map(|i| char::from(text.as_bytes()[i])).collect()

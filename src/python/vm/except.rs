@@ -30,6 +30,7 @@ impl Vm<'_> {
             self.set_context(exception);
         }
         loop {
+            self.countdown = self.countdown.saturating_sub(20);
             self.note_frame(exception);
             let linked = Rc::clone(&self.codes[self.frame.code.0 as usize]);
             let at = self.frame.pc.saturating_sub(1);
@@ -106,6 +107,7 @@ impl Vm<'_> {
         // Never a circle: cut the chain of the current one where it reaches the new one.
         let mut at = current;
         for _ in 0..1000 {
+            self.countdown = self.countdown.saturating_sub(2);
             let Some(context) = self.heap.exception_data(at).map(|d| d.context) else { break };
             if context.is(exception) {
                 if let Some(data) = self.heap.exception_data_mut(at) {

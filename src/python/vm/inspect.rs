@@ -157,6 +157,7 @@ impl Vm<'_> {
             _ => {}
         }
         names.extend(["__class__", "__doc__"].map(str::to_string));
+        self.charge(names.len() as u64 * 200)?;
         names.sort();
         names.dedup();
         Ok(names)

@@ -141,7 +141,10 @@ impl Vm<'_> {
                     _ => String::new(),
                 });
             }
-            Value::Str(s) => return Ok(text::repr_str(&self.heap[s].text)),
+            Value::Str(s) => {
+                self.charge(self.heap[s].text.len() as u64)?;
+                return Ok(text::repr_str(&self.heap[s].text));
+            }
             Value::Host(_) | Value::Record(_) => {
                 let (host, mut cx) = self.host_cx();
                 return host.repr(&mut cx, value);
