@@ -123,22 +123,22 @@ impl State {
     /// The errors of a moved body with each other body; of two that moved, told by the first.
     fn pairs(&self, checker: &Checker<'_>, keepers: &[usize], object: usize, add: &mut impl FnMut(Violation)) {
         let room = &self.boxes[object];
+        let told_here = |other: usize| other != object && !(self.moved[other] && other < object);
         for (other, second) in self.boxes.iter().enumerate() {
-            if meet(room, second) && other != object && !(self.moved[other] && other < object) {
+            if meet(room, second) && told_here(other) {
                 checker.overlap(object, other).into_iter().for_each(&mut *add);
             }
         }
         let kept_clear = |index: usize| terms::clearance_box(checker.rules, &self.bodies[index]).map(|(min, max)| Room { min, max });
         if let Some(clear) = kept_clear(object) {
             for (other, second) in self.boxes.iter().enumerate() {
-                if meet(&clear, second) && other != object && !(self.moved[other] && other < object) {
+                if meet(&clear, second) && told_here(other) {
                     checker.clearance(object, other).into_iter().for_each(&mut *add);
                 }
             }
         }
         for &other in keepers {
-            let tells = other != object && self.bodies[other].is_placed() && !(self.moved[other] && other < object);
-            if tells && kept_clear(other).is_some_and(|clear| meet(&clear, room)) {
+            if told_here(other) && self.bodies[other].is_placed() && kept_clear(other).is_some_and(|clear| meet(&clear, room)) {
                 checker.clearance(other, object).into_iter().for_each(&mut *add);
             }
         }

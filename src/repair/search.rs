@@ -138,9 +138,6 @@ impl<'a> Search<'a> {
 
     /// What a change of a state gives: by replay if it may be, else by a run.
     pub(super) fn try_change(&mut self, state: &mut State, change: Change) -> Option<Score> {
-        if !self.goes_on() {
-            return None;
-        }
         self.try_within(state, change, f64::INFINITY)
     }
 
@@ -150,15 +147,25 @@ impl<'a> Search<'a> {
             return None;
         }
         let Some(value) = state.replays(change) else { return self.run_from(state, change) };
-        self.effort.evaluations += 1;
-        self.effort.replays += 1;
-        let tried = state.try_within(self.problem, &[value], &|score| self.cost(score) > most);
-        self.spent += state.replay_cost();
-        match tried {
+        match self.replay(state, &[value], most) {
             Tried::Scored(score) => Some(score),
             Tried::TooMuch => None,
-            Tried::Flips => self.run_from(state, change),
+            Tried::Flips => {
+                self.spent += 1;
+                self.run_from(state, change)
+            }
         }
+    }
+
+    /// Replays values, and counts that where it tells something.
+    fn replay(&mut self, state: &mut State, values: &[(usize, f64)], most: f64) -> Tried {
+        let tried = state.try_within(self.problem, values, &|score| self.cost(score) > most);
+        if tried != Tried::Flips {
+            self.effort.evaluations += 1;
+            self.effort.replays += 1;
+            self.spent += state.replay_cost();
+        }
+        tried
     }
 
     /// What a run with one more change gives, unless such a run did no good before: the paper's search knows no such rule.
@@ -179,15 +186,10 @@ impl<'a> Search<'a> {
             return None;
         }
         let Some(values) = state.values_to(self.problem, changes) else { return self.run(changes) };
-        self.try_values(state, &values).or_else(|| self.run(changes))
-    }
-
-    fn try_values(&mut self, state: &mut State, values: &[(usize, f64)]) -> Option<Score> {
-        let score = state.try_values(self.problem, values)?;
-        self.effort.evaluations += 1;
-        self.effort.replays += 1;
-        self.spent += state.replay_cost();
-        Some(score)
+        match self.replay(state, &values, f64::INFINITY) {
+            Tried::Scored(score) => Some(score),
+            Tried::TooMuch | Tried::Flips => self.run(changes),
+        }
     }
 
     /// The score of a run with changes; each is run once.

@@ -316,9 +316,8 @@ fn try_change(problem: &Problem, aim: &Aim, state: &mut State, change: Change, p
     if changes.len() <= state.changes.len() {
         return None;
     }
-    if let Change::Constant(ConstantId(id), value) = change {
-        let literal = state.literals().binary_search_by_key(&id, |slice| slice.id).ok();
-        let found = literal.and_then(|literal| state.try_errors(problem, literal, value));
+    if let Change::Constant(..) = change {
+        let found = state.replays(change).and_then(|(literal, value)| state.try_errors(problem, literal, value));
         purse.units = purse.units.saturating_sub(state.replay_cost());
         if let Some((score, errors)) = found {
             return Some(Tried { changes, score, tier: aim.tier(&score, errors.iter()), idle: false });
